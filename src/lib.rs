@@ -1,5 +1,6 @@
 //! merev: a rigid-body physics engine, used as a C library.
 
+pub mod broad_phase;
 pub mod error;
 pub mod math;
 pub mod shape;
