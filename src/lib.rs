@@ -2,6 +2,7 @@
 
 pub mod error;
 pub mod math;
+pub mod narrow_phase;
 pub mod shape;
 
 pub use error::{Error, ErrorCode, Result};
