@@ -2,6 +2,7 @@
 
 pub mod broad_phase;
 pub mod error;
+pub mod integrate;
 pub mod math;
 pub mod shape;
 
