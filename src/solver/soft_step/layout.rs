@@ -1,7 +1,8 @@
 //! Lays the constraints of the awake islands out by (batch, colour, kind) and their bodies by batch.
 
-use super::Settings;
+use super::{Settings, soft};
 use super::kinds::{KINDS, Kind, KindTable, Placed, kind_of};
+use super::preload::Preload;
 use super::rows::{Aux, InertiaRow, Row, Rows};
 use crate::body::{BodySet, BodyStore, NONE};
 use crate::constraint::{ContactStore, contact::flags};
@@ -62,8 +63,11 @@ pub struct Workspace {
     constraints_of: Vec<u32>,
     batch_of: Vec<u32>,
     ratio_of: Vec<Float>,
+    /// Greatest ratio of the masses of two bodies in contact, by island index.
+    mass_ratio_of: Vec<Float>,
     /// Σ normal impulse by solver row.
     load: Vec<Float>,
+    preload: Preload,
     keys: Vec<u64>,
     placed: Vec<Placed>,
     /// Batch and row of each kinematic body's last copy, by awake row.
@@ -92,11 +96,11 @@ impl Workspace {
     pub fn lay_out(
         &mut self,
         bodies: &BodyStore,
-        contacts: &ContactStore,
+        contacts: &mut ContactStore,
         islands: &mut IslandStore,
         settings: &Settings,
     ) {
-        self.gather_islands(bodies, contacts, islands);
+        self.gather_islands(bodies, contacts, islands, settings);
         self.fill_rows(bodies, islands, settings);
         self.measure_loads(bodies, contacts, settings);
         self.sort_constraints(bodies, contacts);
@@ -104,7 +108,13 @@ impl Workspace {
     }
 
     /// The awake islands and how many constraints each has.
-    fn gather_islands(&mut self, bodies: &BodyStore, contacts: &ContactStore, islands: &mut IslandStore) {
+    fn gather_islands(
+        &mut self,
+        bodies: &BodyStore,
+        contacts: &mut ContactStore,
+        islands: &mut IslandStore,
+        settings: &Settings,
+    ) {
         self.order.clear();
         let count = islands.islands.len();
         self.constraints_of.clear();
@@ -113,6 +123,8 @@ impl Workspace {
         self.batch_of.resize(count, NONE);
         self.ratio_of.clear();
         self.ratio_of.resize(count, 1.0);
+        self.mass_ratio_of.clear();
+        self.mass_ratio_of.resize(count, 1.0);
         for &index in &bodies.awake().index {
             let island = bodies.bodies[index as usize].island;
             if island != NONE && self.batch_of[island as usize] == NONE {
@@ -123,6 +135,9 @@ impl Workspace {
         for &island in &self.order {
             if islands.islands[island as usize].changed {
                 islands.measure(island, &bodies.bodies, &contacts.contacts);
+                if settings.warm_starting && islands.islands[island as usize].anchored {
+                    self.preload.run(island, islands, bodies, contacts, settings);
+                }
             }
         }
         self.islands = self.order.len();
@@ -205,8 +220,9 @@ impl Workspace {
             }
             if masses[0] > 0.0 && masses[1] > 0.0 {
                 let ratio = (masses[0] / masses[1]).max(masses[1] / masses[0]);
-                let known = &mut self.ratio_of[island as usize];
-                *known = known.max(ratio);
+                for known in [&mut self.ratio_of[island as usize], &mut self.mass_ratio_of[island as usize]] {
+                    *known = known.max(ratio);
+                }
             }
         }
         let weight = length(settings.gravity) * settings.last_h;
@@ -276,11 +292,14 @@ impl Workspace {
                     let index = self.keys[at] as u32;
                     let contact = &contacts.contacts[index as usize];
                     let island = island_of(bodies, contact.body).expect("sorted ones have an island");
+                    let softness_of = softness(settings, self.mass_ratio_of[island as usize], islands.islands[island as usize].height, h);
                     let placed = Placed {
                         index,
                         rows: contact.body.map(|b| self.row_for(bodies, b, batch as u32, settings, h)),
                         offset: center(bodies, contact.body[0]) - center(bodies, contact.body[1]),
-                        stiff: contact.body.iter().any(|&b| bodies.bodies[b as usize].island == NONE),
+                        soft: softness_of[usize::from(
+                            contact.body.iter().any(|&b| bodies.bodies[b as usize].island == NONE),
+                        )],
                         alpha: if settings.load_memory {
                             memory_rate(
                                 self.ratio_of[island as usize],
@@ -354,6 +373,17 @@ fn memory_rate(ratio: Float, height: u32, sub_steps: u32) -> Float {
     let height = height as Float;
     let sweeps = (2.3 * ratio).max(0.93 * height * height);
     (4.0 * sub_steps as Float / sweeps).min(0.1)
+}
+
+/// Softness of an island's contacts between moving bodies and on immovable ones.
+fn softness(settings: &Settings, mass_ratio: Float, height: u32, h: Float) -> [[Float; 3]; 2] {
+    let f = |n: &str, d: Float| -> Float { std::env::var(n).ok().and_then(|s| s.parse().ok()).unwrap_or(d) };
+    let (mut share, mut damping) = (settings.stiffness, settings.damping_ratio);
+    if mass_ratio < 4.0 && height as Float > f("H0", 12.0) {
+        share = f("S2", 0.25);
+        damping = f("Z2", 2.0);
+    }
+    [soft(share / h, damping, h), soft(2.0 * share / h, damping, h)]
 }
 
 fn immovable_aux() -> Aux {
