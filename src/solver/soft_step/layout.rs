@@ -63,8 +63,6 @@ pub struct Workspace {
     constraints_of: Vec<u32>,
     batch_of: Vec<u32>,
     ratio_of: Vec<Float>,
-    /// Greatest ratio of the masses of two bodies in contact, by island index.
-    mass_ratio_of: Vec<Float>,
     /// Σ normal impulse by solver row.
     load: Vec<Float>,
     preload: Preload,
@@ -123,8 +121,6 @@ impl Workspace {
         self.batch_of.resize(count, NONE);
         self.ratio_of.clear();
         self.ratio_of.resize(count, 1.0);
-        self.mass_ratio_of.clear();
-        self.mass_ratio_of.resize(count, 1.0);
         for &index in &bodies.awake().index {
             let island = bodies.bodies[index as usize].island;
             if island != NONE && self.batch_of[island as usize] == NONE {
@@ -220,9 +216,8 @@ impl Workspace {
             }
             if masses[0] > 0.0 && masses[1] > 0.0 {
                 let ratio = (masses[0] / masses[1]).max(masses[1] / masses[0]);
-                for known in [&mut self.ratio_of[island as usize], &mut self.mass_ratio_of[island as usize]] {
-                    *known = known.max(ratio);
-                }
+                let known = &mut self.ratio_of[island as usize];
+                *known = known.max(ratio);
             }
         }
         let weight = length(settings.gravity) * settings.last_h;
@@ -280,6 +275,9 @@ impl Workspace {
         self.kinematic_copy.clear();
         self.kinematic_copy.resize(bodies.awake().len(), [NONE; 2]);
         let h = settings.dt / settings.sub_steps as Float;
+        // Between moving bodies, and on immovable ones.
+        let softness_of =
+            [1.0, 2.0].map(|factor| soft(factor * settings.stiffness / h, settings.damping_ratio, h));
         let impulse_scale = if settings.last_h > 0.0 { h / settings.last_h } else { 1.0 };
         let mut at = 0;
         for batch in 0..self.batches.len() {
@@ -292,7 +290,6 @@ impl Workspace {
                     let index = self.keys[at] as u32;
                     let contact = &contacts.contacts[index as usize];
                     let island = island_of(bodies, contact.body).expect("sorted ones have an island");
-                    let softness_of = softness(settings, self.mass_ratio_of[island as usize], islands.islands[island as usize].height, h);
                     let placed = Placed {
                         index,
                         rows: contact.body.map(|b| self.row_for(bodies, b, batch as u32, settings, h)),
@@ -373,17 +370,6 @@ fn memory_rate(ratio: Float, height: u32, sub_steps: u32) -> Float {
     let height = height as Float;
     let sweeps = (2.3 * ratio).max(0.93 * height * height);
     (4.0 * sub_steps as Float / sweeps).min(0.1)
-}
-
-/// Softness of an island's contacts between moving bodies and on immovable ones.
-fn softness(settings: &Settings, mass_ratio: Float, height: u32, h: Float) -> [[Float; 3]; 2] {
-    let f = |n: &str, d: Float| -> Float { std::env::var(n).ok().and_then(|s| s.parse().ok()).unwrap_or(d) };
-    let (mut share, mut damping) = (settings.stiffness, settings.damping_ratio);
-    if mass_ratio < 4.0 && height as Float > f("H0", 12.0) {
-        share = f("S2", 0.25);
-        damping = f("Z2", 2.0);
-    }
-    [soft(share / h, damping, h), soft(2.0 * share / h, damping, h)]
 }
 
 fn immovable_aux() -> Aux {
