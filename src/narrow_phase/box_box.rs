@@ -7,7 +7,7 @@
 use super::analytic::closest_of_segments;
 use super::contact::{Manifold, feature};
 use super::frame::Frame;
-use super::polytopes::{by_gjk, preferences};
+use super::polytopes::{by_gjk, inner, preferences};
 use super::{Cache, CachedAxis, clip};
 use crate::math::tolerance::PARALLEL_SINE;
 use crate::math::{Float, Pose, Vec3};
@@ -51,10 +51,10 @@ pub(super) fn collide(
     let face_gap = if b_is_reference { gap_b } else { gap_a };
     if let Some((gap, i, j)) = axes.best_edges(face_gap + edge_preference) {
         cache.axis = CachedAxis::Edges(i as u16, j as u16);
-        if gap <= margin {
-            axes.touch_edges(gap, i, j, out);
+        if gap > margin || axes.touch_edges(gap, i, j, out) {
+            return;
         }
-        return;
+        return by_gjk(a, b, pose, margin, cache, out);
     }
     if b_is_reference {
         cache.axis = CachedAxis::FaceB(axis_b as u16);
@@ -162,8 +162,9 @@ impl Axes {
         }
     }
 
-    /// The contact of an edge of A along its axis `i` with an edge of B along its axis `j`.
-    fn touch_edges(&self, gap: Float, i: usize, j: usize, out: &mut Manifold) {
+    /// The contact of an edge of A along its axis `i` with an edge of B along its axis `j`; `false` where they are
+    /// apart and pass each other beyond their ends.
+    fn touch_edges(&self, gap: Float, i: usize, j: usize, out: &mut Manifold) -> bool {
         let mut n = Vec3::zeros();
         let (i1, i2) = ((i + 1) % 3, (i + 2) % 3);
         (n[i1], n[i2]) = (-self.r[i2][j], self.r[i1][j]);
@@ -173,10 +174,14 @@ impl Axes {
         let edge_b = edge_towards(&self.half_b, j, -self.frame.vector_back(n));
         let on_b = edge_b.1.map(|v| self.frame.point(v));
         let (s, t) = closest_of_segments(edge_a.1, on_b);
+        if gap > 0.0 && !(inner(s) && inner(t)) {
+            return false;
+        }
         let on_a = edge_a.1;
         out.normal = n;
         let point = (on_a[0] + (on_a[1] - on_a[0]) * s + on_b[0] + (on_b[1] - on_b[0]) * t) * 0.5;
         out.push(point, gap, feature::edges(edge_a.0, edge_b.0));
+        true
     }
 }
 

@@ -121,6 +121,12 @@ fn fill<P: Polytope, Q: Polytope, const N: usize>(
     }
     out.normal = n;
     reduce(&candidates[..count], out);
+    // Within `FLUSH` of a side an edge may seem to cross it twice.
+    for i in 1..out.count {
+        if out.points[..i].iter().any(|p| p.feature == out.points[i].feature) {
+            out.points[i].feature = feature::twin(out.points[i].feature);
+        }
+    }
 }
 
 /// The features that meet in the corner between two labelled edges.

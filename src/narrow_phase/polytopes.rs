@@ -69,11 +69,18 @@ fn by_sat<P: Polytope, Q: Polytope>(
         && edges.gap > face_gap + edge_preference
     {
         cache.axis = CachedAxis::Edges(edges.a as u16, edges.b as u16);
-        if edges.gap <= margin {
-            out.normal = edges.normal;
-            let point = between_edges(p, q, &frame, edges.a, edges.b);
-            out.push(point, edges.gap, feature::edges(edges.a, edges.b));
+        if edges.gap > margin {
+            return;
         }
+        let (ea, eb) = (ends(p, edges.a), ends(q, edges.b).map(|v| frame.point(v)));
+        let (s, t) = closest_of_segments(ea, eb);
+        // Edges that are apart and pass each other beyond their ends say little: there the distance decides.
+        if edges.gap > 0.0 && !(inner(s) && inner(t)) {
+            return by_gjk(p, q, pose, margin, cache, out);
+        }
+        out.normal = edges.normal;
+        let point = (ea[0] + (ea[1] - ea[0]) * s + eb[0] + (eb[1] - eb[0]) * t) * 0.5;
+        out.push(point, edges.gap, feature::edges(edges.a, edges.b));
         return;
     }
     if b_is_reference {
@@ -113,11 +120,9 @@ fn ends<P: Polytope>(p: &P, edge: usize) -> [Vec3; 2] {
     p.edge(edge).v.map(|v| p.vertex(v as usize))
 }
 
-/// The middle between the closest points of two edges.
-fn between_edges<P: Polytope, Q: Polytope>(p: &P, q: &Q, frame: &Frame, a: usize, b: usize) -> Vec3 {
-    let (ea, eb) = (ends(p, a), ends(q, b).map(|v| frame.point(v)));
-    let (s, t) = closest_of_segments(ea, eb);
-    (ea[0] + (ea[1] - ea[0]) * s + eb[0] + (eb[1] - eb[0]) * t) * 0.5
+/// Whether a parameter lies between the ends of its edge.
+pub(super) fn inner(s: Float) -> bool {
+    s > 0.0 && s < 1.0
 }
 
 /// Clips against a face of A (`Ok`) or of B (`Err`).
