@@ -92,7 +92,7 @@ impl Polytope {
         let [a, b, c] = v.map(|i| self.vertices[i as usize].w);
         let n = (b - a).cross(&(c - a));
         let l = n.dot(&n).sqrt();
-        if !(l > 0.0) || self.faces_len == MAX_FACES {
+        if l <= 0.0 || self.faces_len == MAX_FACES {
             return false;
         }
         let normal = n / l;

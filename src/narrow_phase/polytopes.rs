@@ -6,6 +6,7 @@ use super::frame::Frame;
 use super::gjk::{Pair, Status};
 use super::sat::{best_edges, best_face, edge_gap, face_gap};
 use super::{Cache, CachedAxis, clip, epa};
+use crate::math::scalar::single;
 use crate::math::tolerance::{DEPTH_PREFERENCE, EDGE_PREFERENCE, FACE_PREFERENCE};
 use crate::math::{Float, Pose, Vec3};
 use crate::shape::{Polytope, narrow, wide};
@@ -161,7 +162,7 @@ pub(super) fn by_gjk<P: Polytope, Q: Polytope>(
         CachedAxis::FaceB(i) if (i as usize) < q.face_count() => Some(-pose.vector(q.plane(i as usize).0)),
         _ => None,
     };
-    if remembered.is_some_and(|n| pair.gap_along(wide(n)) as Float > margin) {
+    if remembered.is_some_and(|n| single(pair.gap_along(wide(n))) > margin) {
         return;
     }
     let close = pair.distance(margin.max(0.0));
@@ -175,10 +176,10 @@ pub(super) fn by_gjk<P: Polytope, Q: Polytope>(
     let (frame, normal) = (Frame::new(pose), narrow(n));
     let (face_a, face_b) = (p.face_along(normal), q.face_along(-frame.vector_back(normal)));
     cache.axis = CachedAxis::FaceA(face_a as u16);
-    if close.status == Status::Beyond || gap as Float > margin {
+    if close.status == Status::Beyond || single(gap) > margin {
         return;
     }
-    let gap = gap as Float;
+    let gap = single(gap);
     let back = frame.inverse();
     let (gap_a, gap_b) = (face_gap(p, q, &frame, face_a), face_gap(q, p, &back, face_b));
     let (face_preference, edge_preference) = preferences(p.inner_radius(), q.inner_radius(), gap);

@@ -5,6 +5,7 @@ use super::analytic::{CROSSING, closest_of_segments};
 use super::contact::{Manifold, feature};
 use super::epa;
 use super::gjk::{Pair, Status};
+use crate::math::scalar::single;
 use crate::math::tolerance::{DEPTH_PREFERENCE, EDGE_PREFERENCE, PARALLEL_SINE};
 use crate::math::{Float, Pose, Vec3, length, length_squared};
 use crate::shape::{Capsule, CorePoints, Polytope, Sphere, narrow};
@@ -45,7 +46,7 @@ pub(super) fn sphere_polytope<P: Polytope>(
         match close.status {
             Status::Beyond => return,
             Status::Overlapping => (b.plane(face).0, top),
-            _ => (-narrow(close.normal), close.distance as Float),
+            _ => (-narrow(close.normal), single(close.distance)),
         }
     };
     let separation = gap - a.radius();
@@ -79,11 +80,11 @@ pub(super) fn capsule_polytope<P: Polytope>(
         Status::Beyond => return,
         Status::Overlapping if gjk => {
             let d = epa::depth(&pair, &close.simplex);
-            Axis { outward: -narrow(d.normal), gap: -d.depth as Float, on_segment: narrow(d.a) }
+            Axis { outward: -narrow(d.normal), gap: single(-d.depth), on_segment: narrow(d.a) }
         }
         Status::Overlapping => deep_axis(ends, b, narrow(close.a)),
         _ => {
-            Axis { outward: -narrow(close.normal), gap: close.distance as Float, on_segment: narrow(close.a) }
+            Axis { outward: -narrow(close.normal), gap: single(close.distance), on_segment: narrow(close.a) }
         }
     };
     if axis.gap > reach {

@@ -1,5 +1,6 @@
 use super::{CorePoints, Edge, MassData, Polytope, RayHit, check_size, ray};
 use crate::error::Result;
+use crate::math::scalar::double;
 use crate::math::{Aabb, Float, Mat3, Pose, Vec3, abs, length, max, min, rotation_matrix, vec3};
 
 /// A box, centred on the shape's frame with its axes along the frame's.
@@ -61,12 +62,12 @@ impl Cuboid {
         if self.contains(origin) {
             return Some(RayHit::inside(origin));
         }
-        let mut t = (-1.0, f64::from(max_fraction));
+        let mut t = (-1.0, double(max_fraction));
         let mut normal = Vec3::zeros();
         for k in 0..3 {
             for side in [-1.0, 1.0] {
-                let distance = f64::from(side * origin[k]) - f64::from(self.half[k]);
-                if ray::clip(&mut t, distance, f64::from(side * translation[k])) {
+                let distance = double(side * origin[k]) - double(self.half[k]);
+                if ray::clip(&mut t, distance, double(side * translation[k])) {
                     normal = Vec3::zeros();
                     normal[k] = side;
                 }

@@ -7,6 +7,7 @@
 
 mod simplex;
 
+use crate::math::scalar::double;
 use crate::math::tolerance::{GJK_PROGRESS, GJK_TOUCH};
 use crate::math::{Float, Pose};
 use crate::shape::{CorePoints, Wide, wide};
@@ -56,7 +57,7 @@ pub(super) struct Closest {
 
 impl<'a> Pair<'a> {
     pub fn new(a: CorePoints<'a>, b: CorePoints<'a>, pose: &Pose) -> Self {
-        let q = nalgebra::Quaternion::new(pose.q.w as f64, pose.q.i as f64, pose.q.j as f64, pose.q.k as f64);
+        let q = nalgebra::Quaternion::new(double(pose.q.w), double(pose.q.i), double(pose.q.j), double(pose.q.k));
         let l2: f64 = q.w * q.w + q.i * q.i + q.j * q.j + q.k * q.k;
         let (s, x, y, z, w) = (2.0 / l2, q.i, q.j, q.k, q.w);
         let rotation = nalgebra::Matrix3::new(
@@ -103,7 +104,7 @@ impl<'a> Pair<'a> {
 
     /// The distance of the cores; gives up with `Beyond` once it is known to be more than `limit`.
     pub fn distance(&self, limit: Float) -> Closest {
-        let limit = limit as f64;
+        let limit = double(limit);
         let mut simplex = Simplex::default();
         let mut v = self.start();
         simplex.push(self.support(-v));

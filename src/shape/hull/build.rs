@@ -2,6 +2,7 @@
 
 use super::{Hull, HullFace, MAX_HULL_VERTICES, merge, quick};
 use crate::error::{Error, ErrorCode, Result, check};
+use crate::math::scalar::{double, single};
 use crate::math::tolerance::{EPSILON, HULL_FLATNESS, MIN_SIZE};
 use crate::math::{Float, Mat3, Vec3, vec3};
 use crate::shape::core::first_greatest;
@@ -73,13 +74,13 @@ impl Cloud {
             upper = upper.sup(&p);
         }
         let (middle, size) = ((lower + upper) * 0.5, (upper - lower).max());
-        let least = 2.0 * f64::from(MIN_SIZE);
+        let least = 2.0 * double(MIN_SIZE);
         if size < least {
             return Err(degenerate(format!("All points of the hull lie within {least:.0e} m of one point.")));
         }
         let scale = 1.0 / size;
         let points: Vec<Wide> = input.iter().map(|p| (wide(*p) - middle) * scale).collect();
-        let flat = HULL_FLATNESS * f64::from(EPSILON) * lower.abs().sup(&upper.abs()).sum() * scale;
+        let flat = HULL_FLATNESS * double(EPSILON) * lower.abs().sup(&upper.abs()).sum() * scale;
         let seed = Self::seed(&points, least * scale, flat)?;
         Ok(Self { points, seed, flat })
     }
@@ -167,7 +168,7 @@ fn plane(vertices: &[Vec3], vs: &[u8]) -> (Vec3, Float) {
     let middle = (0..vs.len()).fold(Wide::zeros(), |s, i| s + p(i)) / vs.len() as f64;
     let n = (0..vs.len()).fold(Wide::zeros(), |s, i| s + (p(i) - middle).cross(&(p(i + 1) - middle)));
     let normal = narrow(n / n.dot(&n).sqrt());
-    (normal, wide(normal).dot(&middle) as Float)
+    (normal, single(wide(normal).dot(&middle)))
 }
 
 fn fill_edges(hull: &mut Hull) {
@@ -221,10 +222,10 @@ fn fill_mass(hull: &mut Hull) {
     let center = first / (4.0 * six_volumes);
     let about_center = second / 120.0 - center * center.transpose() * volume;
     let inertia = nalgebra::Matrix3::identity() * about_center.trace() - about_center;
-    hull.volume = volume as Float;
+    hull.volume = single(volume);
     hull.center = narrow(middle + center);
     let column = |k: usize| -> Vec3 {
-        vec3(inertia[(0, k)] as Float, inertia[(1, k)] as Float, inertia[(2, k)] as Float)
+        vec3(single(inertia[(0, k)]), single(inertia[(1, k)]), single(inertia[(2, k)]))
     };
     hull.unit_inertia = Mat3::from_columns(&[column(0), column(1), column(2)]);
     let least = (0..hull.faces.len())

@@ -11,6 +11,7 @@ mod tests;
 
 use super::core::first_greatest;
 use super::{CorePoints, Edge, MassData, Polytope, RayHit, ray};
+use crate::math::scalar::double;
 use crate::math::{Aabb, Float, Mat3, Pose, Vec3, length_squared, max, min, rotation_matrix};
 
 /// The most vertices a hull has: indices are bytes.
@@ -164,11 +165,11 @@ impl Hull {
             return Some(RayHit::inside(origin));
         }
         let (o, d) = (ray::wide(origin), ray::wide(translation));
-        let mut t = (-1.0, f64::from(max_fraction));
+        let mut t = (-1.0, double(max_fraction));
         let mut normal = Vec3::zeros();
         for f in &self.faces {
             let n = ray::wide(f.normal);
-            if ray::clip(&mut t, n.dot(&o) - f64::from(f.offset), n.dot(&d)) {
+            if ray::clip(&mut t, n.dot(&o) - double(f.offset), n.dot(&d)) {
                 normal = f.normal;
             }
             if t.0 > t.1 {
