@@ -35,8 +35,9 @@ fn ball(n: usize) -> Shape {
 #[ignore = "a benchmark"]
 fn contacts() {
     let cube = Shape::new_box(1.0, 1.0, 1.0);
-    let corners: Vec<Vec3> =
-        (0..8).map(|i| vec3((i & 1) as Float, (i >> 1 & 1) as Float, (i >> 2) as Float) - vec3(0.5, 0.5, 0.5)).collect();
+    let corners: Vec<Vec3> = (0..8)
+        .map(|i| vec3((i & 1) as Float, (i >> 1 & 1) as Float, (i >> 2) as Float) - vec3(0.5, 0.5, 0.5))
+        .collect();
     let hull = Shape::hull(&corners).unwrap();
     let sphere = Shape::new_sphere(1.0);
     let capsule = Shape::new_capsule(1.0, 0.5);
@@ -72,10 +73,14 @@ fn contacts() {
         let mut m = Manifold::default();
         let at = |i: usize| Pose::new(pose.p + vec3((i % 7) as Float, 0.0, (i % 5) as Float) * 1e-5, pose.q);
         let mut cache = Cache::default();
-        let auto = time(|i| collide(a, b, black_box(&at(i)), 0.01, NarrowPhaseKind::Auto, &mut cache, black_box(&mut m)));
+        let auto = time(|i| {
+            collide(a, b, black_box(&at(i)), 0.01, NarrowPhaseKind::Auto, &mut cache, black_box(&mut m))
+        });
         let points = m.count;
         let mut cache = Cache::default();
-        let gjk = time(|i| collide(a, b, black_box(&at(i)), 0.01, NarrowPhaseKind::GjkEpa, &mut cache, black_box(&mut m)));
+        let gjk = time(|i| {
+            collide(a, b, black_box(&at(i)), 0.01, NarrowPhaseKind::GjkEpa, &mut cache, black_box(&mut m))
+        });
         let far = time(|i| {
             black_box(distance(a, b, black_box(&at(i))));
         });

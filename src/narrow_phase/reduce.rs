@@ -1,6 +1,6 @@
 //! From all points of a clipped face to the four that matter.
 
-use super::contact::{MAX_MANIFOLD_POINTS, Manifold, ManifoldPoint};
+use super::contact::{MAX_MANIFOLD_POINTS, Manifold, ManifoldPoint, feature};
 use crate::math::tolerance::EQUAL_DEPTH;
 use crate::math::{Float, any_tangent, length_squared};
 
@@ -17,7 +17,7 @@ pub(super) fn reduce(all: &[Candidate], out: &mut Manifold) {
     if all.len() <= MAX_MANIFOLD_POINTS {
         out.points[..all.len()].copy_from_slice(all);
         out.count = all.len();
-        return;
+        return tell_twins_apart(out);
     }
     let n = out.normal;
     let best = |score: &dyn Fn(&Candidate) -> Float| {
@@ -54,6 +54,17 @@ pub(super) fn reduce(all: &[Candidate], out: &mut Manifold) {
             if area > smallest.min(1e-3 * far) && m != i && m != j {
                 keep(m);
             }
+        }
+    }
+    tell_twins_apart(out);
+}
+
+/// An edge that runs along a side, within the slack of clipping, may seem to cross it twice.
+#[inline]
+fn tell_twins_apart(out: &mut Manifold) {
+    for i in 1..out.count {
+        if out.points[..i].iter().any(|p| p.feature == out.points[i].feature) {
+            out.points[i].feature = feature::twin(out.points[i].feature);
         }
     }
 }

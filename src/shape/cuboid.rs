@@ -84,8 +84,27 @@ impl Cuboid {
 // Edge 4k + j runs along axis k, from − to +; the bits of j are the signs of the other two axes, lower axis first.
 
 /// The vertices of each face, counter-clockwise from outside.
-const LOOPS: [[u8; 4]; 6] =
+pub(crate) const LOOPS: [[u8; 4]; 6] =
     [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
+
+/// The side of face `f` along edge `i` of its loop: the axis it looks along, and whether towards +.
+pub(crate) const SIDES: [[(u8, bool); 4]; 6] = {
+    let mut sides = [[(0, false); 4]; 6];
+    let mut f = 0;
+    while f < 6 {
+        let mut i = 0;
+        while i < 4 {
+            let (v, w) = (LOOPS[f][i], LOOPS[f][(i + 1) % 4]);
+            // The three axes are the face's, the edge's and the side's.
+            let along = (v ^ w).trailing_zeros() as usize;
+            let axis = 3 - f / 2 - along;
+            sides[f][i] = (axis as u8, v >> axis & 1 == 1);
+            i += 1;
+        }
+        f += 1;
+    }
+    sides
+};
 
 /// The edge between the two vertices.
 const fn edge_between(v: u8, w: u8) -> u16 {
@@ -98,7 +117,7 @@ const fn edge_between(v: u8, w: u8) -> u16 {
 }
 
 /// The edge that leaves each vertex of each face's loop.
-const LOOP_EDGES: [[u16; 4]; 6] = {
+pub(crate) const LOOP_EDGES: [[u16; 4]; 6] = {
     let mut edges = [[0; 4]; 6];
     let mut f = 0;
     while f < 6 {

@@ -13,7 +13,7 @@
 
 mod capsule;
 mod core;
-mod cuboid;
+pub(crate) mod cuboid;
 mod half_space;
 mod hull;
 mod mass;

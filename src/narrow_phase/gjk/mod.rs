@@ -57,7 +57,8 @@ pub(super) struct Closest {
 
 impl<'a> Pair<'a> {
     pub fn new(a: CorePoints<'a>, b: CorePoints<'a>, pose: &Pose) -> Self {
-        let q = nalgebra::Quaternion::new(double(pose.q.w), double(pose.q.i), double(pose.q.j), double(pose.q.k));
+        let q =
+            nalgebra::Quaternion::new(double(pose.q.w), double(pose.q.i), double(pose.q.j), double(pose.q.k));
         let l2: f64 = q.w * q.w + q.i * q.i + q.j * q.j + q.k * q.k;
         let (s, x, y, z, w) = (2.0 / l2, q.i, q.j, q.k, q.w);
         let rotation = nalgebra::Matrix3::new(
