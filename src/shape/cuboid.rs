@@ -62,7 +62,7 @@ impl Cuboid {
         if self.contains(origin) {
             return Some(RayHit::inside(origin));
         }
-        let mut t = (-1.0, double(max_fraction));
+        let mut t = (0.0, double(max_fraction));
         let mut normal = Vec3::zeros();
         for k in 0..3 {
             for side in [-1.0, 1.0] {
@@ -76,7 +76,7 @@ impl Cuboid {
         if t.0 > t.1 {
             return None;
         }
-        RayHit::at(origin, translation, t.0.max(0.0), max_fraction, |_| normal)
+        RayHit::at(origin, translation, t.0, max_fraction, |_| normal)
     }
 }
 

@@ -22,6 +22,8 @@ mod ray;
 mod sphere;
 #[cfg(test)]
 pub(crate) mod testing;
+#[cfg(test)]
+mod tests;
 
 use crate::error::{Error, Result};
 use crate::math::{Aabb, Float, Pose, Vec3};

@@ -75,14 +75,14 @@ pub(super) fn enter_ball(o: Wide, d: Wide, r: f64) -> Option<f64> {
 pub(super) fn clip(t: &mut (f64, f64), distance: f64, rate: f64) -> bool {
     if rate < 0.0 {
         let enter = -distance / rate;
-        if enter > t.0 {
+        if enter >= t.0 {
             t.0 = enter;
             return true;
         }
     } else if rate > 0.0 {
         t.1 = t.1.min(-distance / rate);
     } else if distance > 0.0 {
-        t.1 = -1.0;
+        t.1 = -1.0; // Beside the slab for ever.
     }
     false
 }

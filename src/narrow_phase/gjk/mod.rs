@@ -83,13 +83,21 @@ impl<'a> Pair<'a> {
     /// The vertex of the difference A − B farthest along `d`, which need not have length 1.
     #[inline]
     pub fn support(&self, d: Wide) -> Vertex {
-        // Scaled so that it stays a number in f32.
-        let d = d / d.amax().max(f64::MIN_POSITIVE);
         let ia = self.a.support(&d);
         let ib = self.b.support(&-self.rotation.tr_mul(&d));
-        let a = wide(self.a.point(ia));
-        let b = self.rotation * wide(self.b.point(ib)) + self.position;
-        Vertex { a, b, w: a - b, id: (ia as u16, ib as u16) }
+        let w = wide(self.a.point(ia)) - (self.rotation * wide(self.b.point(ib)) + self.position);
+        Vertex { w, id: (ia as u16, ib as u16) }
+    }
+
+    /// The points of A and of B that mix with these weights, in the frame of A.
+    pub fn witnesses<'v>(&self, mix: impl IntoIterator<Item = (&'v Vertex, f64)>) -> (Wide, Wide) {
+        let mut sum = (Wide::zeros(), Wide::zeros(), 0.0);
+        for (v, k) in mix {
+            sum.0 += wide(self.a.point(v.id.0 as usize)) * k;
+            sum.1 += wide(self.b.point(v.id.1 as usize)) * k;
+            sum.2 += k;
+        }
+        (sum.0, self.rotation * sum.1 + self.position * sum.2)
     }
 
     /// The gap between the cores along the unit normal `n`, from A to B; negative where they overlap.
@@ -150,7 +158,7 @@ impl<'a> Pair<'a> {
             }
             v = next;
         }
-        let (a, b) = simplex.witnesses();
+        let (a, b) = self.witnesses(simplex.vertices().iter().zip(simplex.weights().iter().copied()));
         let distance = if status == Status::Overlapping { 0.0 } else { v.dot(&v).sqrt() };
         let normal = if distance > 0.0 { -v / distance } else { Wide::zeros() };
         Closest { status, iterations, distance, a, b, normal, simplex }

@@ -4,11 +4,9 @@
 
 use crate::shape::Wide;
 
-/// A vertex of the difference A − B: w = a − b.
+/// A vertex of the difference A − B, and the points of A and B that make it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::narrow_phase) struct Vertex {
-    pub a: Wide,
-    pub b: Wide,
     pub w: Wide,
     pub id: (u16, u16),
 }
@@ -44,14 +42,9 @@ impl Simplex {
         self.vertices().iter().map(|v| v.w.amax()).fold(0.0, f64::max)
     }
 
-    /// The closest points of A and B.
-    pub fn witnesses(&self) -> (Wide, Wide) {
-        let mut sum = (Wide::zeros(), Wide::zeros());
-        for (v, &k) in self.vertices().iter().zip(&self.weight) {
-            sum.0 += v.a * k;
-            sum.1 += v.b * k;
-        }
-        sum
+    /// The weights of the point closest to the origin.
+    pub fn weights(&self) -> &[f64] {
+        &self.weight[..self.len]
     }
 
     /// Keeps the vertices that carry the point closest to the origin and returns that point. All four stay only
@@ -177,7 +170,7 @@ mod tests {
             for i in 0..len {
                 let mut w = wide(random.vec(1.0));
                 w.z *= flat;
-                s.push(Vertex { w: w + shift * (round % 2) as f64, id: (i as u16, 0), ..Vertex::default() });
+                s.push(Vertex { w: w + shift * (round % 2) as f64, id: (i as u16, 0) });
             }
             let all = s;
             let p = s.reduce();

@@ -165,7 +165,7 @@ impl Hull {
             return Some(RayHit::inside(origin));
         }
         let (o, d) = (ray::wide(origin), ray::wide(translation));
-        let mut t = (-1.0, double(max_fraction));
+        let mut t = (0.0, double(max_fraction));
         let mut normal = Vec3::zeros();
         for f in &self.faces {
             let n = ray::wide(f.normal);
@@ -176,16 +176,21 @@ impl Hull {
                 return None;
             }
         }
-        RayHit::at(origin, translation, t.0.max(0.0), max_fraction, |_| normal)
+        RayHit::at(origin, translation, t.0, max_fraction, |_| normal)
     }
 
-    /// The vertex of greatest `height`, which must be linear in the vertex and grow along about `d`.
+    /// The vertex of greatest `height`, which must be linear in the vertex and grow along about `direction`.
     #[inline]
-    pub(crate) fn support_by<T: PartialOrd>(&self, d: Vec3, height: impl Fn(usize) -> T) -> usize {
+    pub(crate) fn support_by<T: PartialOrd>(
+        &self,
+        direction: impl Fn() -> Vec3,
+        height: impl Fn(usize) -> T,
+    ) -> usize {
         if self.vertices.len() <= SCAN {
             return first_greatest(self.vertices.len(), height);
         }
         // Climb from vertex to better neighbour: on a convex body a local best is the best, up to rounding.
+        let d = direction();
         let a = crate::math::abs(d);
         let k = if a.x >= a.y && a.x >= a.z {
             0
@@ -256,7 +261,7 @@ impl Polytope for Hull {
 
     #[inline]
     fn support(&self, d: Vec3) -> usize {
-        self.support_by(d, |i| self.vertices[i].dot(&d))
+        self.support_by(|| d, |i| self.vertices[i].dot(&d))
     }
 
     #[inline]
