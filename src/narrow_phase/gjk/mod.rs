@@ -11,6 +11,7 @@ use crate::math::scalar::double;
 use crate::math::tolerance::{GJK_PROGRESS, GJK_TOUCH};
 use crate::math::{Float, Pose};
 use crate::shape::{CorePoints, Wide, wide};
+use simplex::largest;
 pub(super) use simplex::{Simplex, Vertex};
 
 /// More iterations than any pair of shapes needs (the worst seen in fuzzing is below 40).
@@ -128,7 +129,7 @@ impl<'a> Pair<'a> {
                 break;
             }
             let w = self.support(-v);
-            scale = scale.max(w.w.amax());
+            scale = scale.max(largest(&w.w));
             let vw = v.dot(&w.w);
             let length = vv.sqrt();
             if vw > limit * length {

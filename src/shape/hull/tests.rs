@@ -12,11 +12,11 @@ fn check(points: &[Vec3], hull: &Hull) {
     for (i, f) in hull.faces().iter().enumerate() {
         for p in points {
             let h = f.normal.dot(p) - f.offset;
-            assert!(h <= (80.0 * EPSILON + 2e-13) * reach, "face {i}: a point stands out by {h}");
+            assert!(h <= (80.0 * EPSILON + 1e-12) * reach, "face {i}: a point stands out by {h}");
         }
         for &v in hull.face_loop(i) {
             let h = f.normal.dot(&hull.vertices[v as usize]) - f.offset;
-            assert!(h.abs() <= (80.0 * EPSILON + 2e-13) * reach, "face {i}: a vertex is off by {h}");
+            assert!(h.abs() <= (80.0 * EPSILON + 1e-12) * reach, "face {i}: a vertex is off by {h}");
         }
     }
     assert!(hull.vertices.iter().all(|v| points.contains(v)));
