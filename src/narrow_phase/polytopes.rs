@@ -66,7 +66,7 @@ fn by_sat<P: Polytope, Q: Polytope>(
         preferences(p.inner_radius(), q.inner_radius(), gap_a.max(gap_b));
     let b_is_reference = gap_b > gap_a + face_preference;
     let face_gap = if b_is_reference { gap_b } else { gap_a };
-    if let Some(edges) = best_edges(p, q, &frame, margin)
+    if let Some(edges) = best_edges(p, q, &frame, &back, margin)
         && edges.gap > face_gap + edge_preference
     {
         cache.axis = CachedAxis::Edges(edges.a as u16, edges.b as u16);

@@ -150,6 +150,8 @@ const EDGES: [Edge; 12] = {
 };
 
 impl Polytope for Cuboid {
+    const IMPLICIT: bool = true;
+
     #[inline(always)]
     fn vertex_count(&self) -> usize {
         8

@@ -6,6 +6,7 @@ use crate::math::scalar::{double, single};
 use crate::math::tolerance::{EPSILON, HULL_FLATNESS, MIN_SIZE};
 use crate::math::{Float, Mat3, Vec3, vec3};
 use crate::shape::core::first_greatest;
+use crate::shape::polytope::EdgeRay;
 use crate::shape::ray::{Wide, narrow, wide};
 use crate::shape::{Edge, Polytope, degenerate};
 
@@ -139,6 +140,7 @@ fn tables(input: &[Vec3], loops: &[Vec<u32>]) -> Hull {
         loops: Vec::new(),
         loop_edges: Vec::new(),
         edges: Vec::new(),
+        edge_rays: Vec::new(),
         neighbor_start: Vec::with_capacity(vertices.len() + 1),
         neighbors: Vec::new(),
         vertices,
@@ -186,6 +188,11 @@ fn fill_edges(hull: &mut Hull) {
             hull.loop_edges[start + i] = e as u16;
         }
     }
+    let rays = hull.edges.iter().map(|e| {
+        let [start, end] = e.v.map(|v| hull.vertices[v as usize]);
+        EdgeRay { start, along: end - start, normals: e.f.map(|f| hull.faces[f as usize].normal) }
+    });
+    hull.edge_rays = rays.collect();
 }
 
 fn fill_neighbors(hull: &mut Hull) {

@@ -10,6 +10,7 @@ mod quick;
 mod tests;
 
 use super::core::first_greatest;
+use super::polytope::EdgeRay;
 use super::{CorePoints, Edge, MassData, Polytope, RayHit, ray};
 use crate::math::scalar::double;
 use crate::math::{Aabb, Float, Mat3, Pose, Vec3, length_squared, max, min, rotation_matrix};
@@ -29,6 +30,7 @@ pub struct Hull {
     loops: Vec<u8>,
     loop_edges: Vec<u16>,
     edges: Vec<Edge>,
+    edge_rays: Vec<EdgeRay>,
     /// The neighbours of vertex i: `neighbors[neighbor_start[i]..neighbor_start[i + 1]]`.
     neighbor_start: Vec<u16>,
     neighbors: Vec<u8>,
@@ -218,6 +220,13 @@ impl Hull {
 }
 
 impl Polytope for Hull {
+    const IMPLICIT: bool = false;
+
+    #[inline(always)]
+    fn edge_ray(&self, i: usize) -> EdgeRay {
+        self.edge_rays[i]
+    }
+
     #[inline(always)]
     fn vertex_count(&self) -> usize {
         self.vertices.len()
