@@ -40,8 +40,8 @@ pub(super) fn collide(
     if axes.cached_gap(cache.axis) > margin {
         return;
     }
-    let (gap_a, axis_a) = greatest([0, 1, 2].map(|i| axes.gap_a(i)));
-    let (gap_b, axis_b) = greatest([0, 1, 2].map(|j| axes.gap_b(j)));
+    let (gap_a, axis_a) = greatest([axes.gap_a(0), axes.gap_a(1), axes.gap_a(2)]);
+    let (gap_b, axis_b) = greatest([axes.gap_b(0), axes.gap_b(1), axes.gap_b(2)]);
     if gap_a.max(gap_b) > margin {
         cache.axis =
             if gap_a > gap_b { CachedAxis::FaceA(axis_a as u16) } else { CachedAxis::FaceB(axis_b as u16) };
@@ -76,6 +76,11 @@ pub(super) fn collide(
 }
 
 #[inline(always)]
+fn abs3([x, y, z]: [Float; 3]) -> [Float; 3] {
+    [x.abs(), y.abs(), z.abs()]
+}
+
+#[inline(always)]
 fn greatest(x: [Float; 3]) -> (Float, usize) {
     let k = if x[0] >= x[1] && x[0] >= x[2] {
         0
@@ -91,12 +96,14 @@ impl Axes {
     #[inline(always)]
     fn new(a: &Cuboid, b: &Cuboid, pose: &Pose) -> Self {
         let frame = Frame::new(pose);
-        let r = [0, 1, 2].map(|i| [0, 1, 2].map(|j| frame.r[(i, j)]));
+        // Written out: `array::map` is not inlined here.
+        let row = |i: usize| [frame.r[(i, 0)], frame.r[(i, 1)], frame.r[(i, 2)]];
+        let r = [row(0), row(1), row(2)];
         let t_b = frame.vector_back(frame.p);
         Self {
             frame,
             r,
-            abs_r: r.map(|row| row.map(Float::abs)),
+            abs_r: [abs3(r[0]), abs3(r[1]), abs3(r[2])],
             half_a: a.half().into(),
             half_b: b.half().into(),
             t: frame.p.into(),
@@ -210,8 +217,9 @@ impl Axes {
 
     #[inline(always)]
     fn of_b(&self) -> Side {
-        let r = [0, 1, 2].map(|i| [0, 1, 2].map(|j| self.r[j][i]));
-        Side { half: self.half_b, other_half: self.half_a, c: self.t_b.map(|x| -x), r }
+        let row = |j: usize| [self.r[0][j], self.r[1][j], self.r[2][j]];
+        let [x, y, z] = self.t_b;
+        Side { half: self.half_b, other_half: self.half_a, c: [-x, -y, -z], r: [row(0), row(1), row(2)] }
     }
 }
 
@@ -224,14 +232,15 @@ impl Side {
         let up = c[k] >= 0.0;
         let sign = if up { 1.0 } else { -1.0 };
         let face = 2 * k + usize::from(up);
-        let (_, j) = greatest(r[k].map(Float::abs));
+        let (_, j) = greatest(abs3(r[k]));
         let incident = 2 * j + usize::from(sign * r[k][j] < 0.0);
         let mut polygon: [Corner; 8] = [([0.0; 3], 0); 8];
         for (i, corner) in polygon[..4].iter_mut().enumerate() {
             let v = LOOPS[incident][i];
             let at = |m: usize| if v >> m & 1 == 1 { h[m] } else { -h[m] };
             let (x, y, z) = (at(0), at(1), at(2));
-            *corner = ([0, 1, 2].map(|i| c[i] + (r[i][0] * x + r[i][1] * y + r[i][2] * z)), i as u8);
+            let place = |i: usize| c[i] + (r[i][0] * x + r[i][1] * y + r[i][2] * z);
+            *corner = ([place(0), place(1), place(2)], i as u8);
         }
         let mut n = 4;
         let flush = clip::FLUSH * half[0].min(half[1]).min(half[2]);
@@ -303,7 +312,7 @@ fn cut(
         let (here, next) = (heights[i], heights[k]);
         let crossing = || {
             let (p, q, t) = (&old[i].0, &old[k].0, here / (here - next));
-            [0, 1, 2].map(|m| p[m] + (q[m] - p[m]) * t)
+            [p[0] + (q[0] - p[0]) * t, p[1] + (q[1] - p[1]) * t, p[2] + (q[2] - p[2]) * t]
         };
         match (here <= flush, next <= flush) {
             (true, true) => push(old[i]),

@@ -9,7 +9,7 @@ use super::{Cache, CachedAxis, clip, epa};
 use crate::math::scalar::single;
 use crate::math::tolerance::{DEPTH_PREFERENCE, EDGE_PREFERENCE, FACE_PREFERENCE};
 use crate::math::{Float, Pose, Vec3};
-use crate::shape::{Polytope, narrow, wide};
+use crate::shape::{Polytope, Wide, narrow, wide};
 
 /// Above this many pairs of edges GJK is faster than trying them all.
 const MOST_EDGE_PAIRS: usize = 1500;
@@ -69,8 +69,13 @@ fn by_sat<P: Polytope, Q: Polytope>(
     if let Some(edges) = best_edges(p, q, &frame, &back, margin)
         && edges.gap > face_gap + edge_preference
     {
+        // Between the slivers of a bent plate, rounding can make two edges seem to face each other that do not.
+        let whole = gap_of_all(p, q, &frame, edges.normal);
+        if whole < edges.gap - 0.5 * edge_preference {
+            return by_gjk(p, q, pose, margin, cache, out);
+        }
         cache.axis = CachedAxis::Edges(edges.a as u16, edges.b as u16);
-        if edges.gap > margin {
+        if whole > margin {
             return;
         }
         let (ea, eb) = (ends(p, edges.a), ends(q, edges.b).map(|v| frame.point(v)));
@@ -110,11 +115,16 @@ fn cached_gap<P: Polytope, Q: Polytope>(
             let (n, _) =
                 edge_gap(on_a, end_a - on_a, frame.point(on_b), frame.vector(end_b - on_b), p.center())?;
             // The edges may no longer face each other: measure the whole solids.
-            let low = frame.point(q.vertex(q.support(-frame.vector_back(n))));
-            Some(n.dot(&low) - n.dot(&p.vertex(p.support(n))))
+            Some(gap_of_all(p, q, frame, n))
         }
         _ => None,
     }
+}
+
+/// The gap between the whole solids along the unit normal `n`.
+fn gap_of_all<P: Polytope, Q: Polytope>(p: &P, q: &Q, frame: &Frame, n: Vec3) -> Float {
+    let low = frame.point(q.vertex(q.support(-frame.vector_back(n))));
+    n.dot(&(low - p.vertex(p.support(n))))
 }
 
 fn ends<P: Polytope>(p: &P, edge: usize) -> [Vec3; 2] {
@@ -147,6 +157,29 @@ fn from_face<P: Polytope, Q: Polytope>(
     }
 }
 
+/// EPA gave up: its normal, or that of a face where this parts the solids sooner. The result is that of `by_gjk`:
+/// the normal, the gap, and the points.
+#[cold]
+fn better_face<P: Polytope, Q: Polytope>(
+    p: &P,
+    q: &Q,
+    pose: &Pose,
+    pair: &Pair,
+    d: &epa::Depth,
+) -> (Wide, f64, Wide, Wide) {
+    let frame = Frame::new(pose);
+    let (_, face_a) = best_face(p, q, &frame, Float::MAX);
+    let (_, face_b) = best_face(q, p, &frame.inverse(), Float::MAX);
+    let mut best = (d.normal, -d.depth);
+    for n in [wide(p.plane(face_a).0), wide(-frame.vector(q.plane(face_b).0))] {
+        let gap = pair.gap_along(n);
+        if gap > best.1 {
+            best = (n, gap);
+        }
+    }
+    (best.0, best.1, d.a, d.b)
+}
+
 /// The normal from GJK, or from EPA where the solids overlap; the points from the faces along it.
 pub(super) fn by_gjk<P: Polytope, Q: Polytope>(
     p: &P,
@@ -169,7 +202,10 @@ pub(super) fn by_gjk<P: Polytope, Q: Polytope>(
     let (n, gap, on_a, on_b) = match close.status {
         Status::Overlapping => {
             let d = epa::depth(&pair, &close.simplex);
-            (d.normal, -d.depth, d.a, d.b)
+            match d.status {
+                epa::Status::Limit => better_face(p, q, pose, &pair, &d),
+                epa::Status::Converged | epa::Status::Flat => (d.normal, -d.depth, d.a, d.b),
+            }
         }
         _ => (close.normal, close.distance, close.a, close.b),
     };

@@ -143,6 +143,7 @@ fn tables(input: &[Vec3], loops: &[Vec<u32>]) -> Hull {
         edge_rays: Vec::new(),
         neighbor_start: Vec::with_capacity(vertices.len() + 1),
         neighbors: Vec::new(),
+        neighbor_edges: Vec::new(),
         vertices,
     };
     for l in loops {
@@ -198,8 +199,9 @@ fn fill_edges(hull: &mut Hull) {
 fn fill_neighbors(hull: &mut Hull) {
     for v in 0..hull.vertices.len() as u8 {
         hull.neighbor_start.push(hull.neighbors.len() as u16);
-        for e in &hull.edges {
+        for (i, e) in hull.edges.iter().enumerate() {
             if e.v.contains(&v) {
+                hull.neighbor_edges.push(i as u16);
                 hull.neighbors.push(if e.v[0] == v { e.v[1] } else { e.v[0] });
             }
         }

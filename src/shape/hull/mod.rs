@@ -34,6 +34,8 @@ pub struct Hull {
     /// The neighbours of vertex i: `neighbors[neighbor_start[i]..neighbor_start[i + 1]]`.
     neighbor_start: Vec<u16>,
     neighbors: Vec<u8>,
+    /// The edge to each neighbour.
+    neighbor_edges: Vec<u16>,
     /// The farthest vertices along −x, +x, −y, +y, −z, +z: where climbing starts.
     extremes: [u8; 6],
     center: Vec3,
@@ -275,11 +277,20 @@ impl Polytope for Hull {
 
     #[inline]
     fn face_along(&self, d: Vec3) -> usize {
+        if self.faces.len() <= 2 * SCAN {
+            return first_greatest(self.faces.len(), |i| self.faces[i].normal.dot(&d));
+        }
+        // Of many faces, those around the farthest vertex.
+        let v = self.support(d);
+        let around = self.neighbor_start[v] as usize..self.neighbor_start[v + 1] as usize;
         let mut best = (0, -Float::MAX);
-        for (i, f) in self.faces.iter().enumerate() {
-            let s = f.normal.dot(&d);
-            if s > best.1 {
-                best = (i, s);
+        for &e in &self.neighbor_edges[around] {
+            for f in self.edges[e as usize].f {
+                let s = self.faces[f as usize].normal.dot(&d);
+                // Each face is met twice; ties go to the lower number, whatever the order.
+                if s > best.1 || s == best.1 && (f as usize) < best.0 {
+                    best = (f as usize, s);
+                }
             }
         }
         best.0
