@@ -3,7 +3,7 @@
 use super::{Hull, HullFace, MAX_HULL_VERTICES, merge, quick};
 use crate::error::{Error, ErrorCode, Result, check};
 use crate::math::scalar::{double, single};
-use crate::math::tolerance::{EPSILON, HULL_FLATNESS, MIN_SIZE};
+use crate::math::tolerance::{HULL_FLATNESS, MIN_SIZE};
 use crate::math::{Float, Mat3, Vec3, vec3};
 use crate::shape::core::first_greatest;
 use crate::shape::polytope::EdgeRay;
@@ -81,7 +81,7 @@ impl Cloud {
         }
         let scale = 1.0 / size;
         let points: Vec<Wide> = input.iter().map(|p| (wide(*p) - middle) * scale).collect();
-        let flat = HULL_FLATNESS * double(EPSILON) * lower.abs().sup(&upper.abs()).sum() * scale;
+        let flat = HULL_FLATNESS * lower.abs().sup(&upper.abs()).sum() * scale;
         let seed = Self::seed(&points, least * scale, flat)?;
         Ok(Self { points, seed, flat })
     }
