@@ -243,7 +243,7 @@ impl Side {
             *corner = ([place(0), place(1), place(2)], i as u8);
         }
         let mut n = 4;
-        let flush = clip::FLUSH * half[0].min(half[1]).min(half[2]);
+        let flush = clip::FLUSH * half[0].min(half[1]).min(half[2]).min(h[0].min(h[1]).min(h[2]));
         for (i, &(axis, positive)) in SIDES[face].iter().enumerate() {
             n = cut(
                 &mut polygon,

@@ -10,7 +10,7 @@ use crate::shape::Polytope;
 /// Set in the label of an edge that lies on a side of the reference face; the rest is the number within the loop.
 const REFERENCE: u16 = 1 << 15;
 
-/// By what share of the reference shape's inner radius a corner may stand outside a side and still count as inside.
+/// By what share of the thinner shape's inner radius a corner may stand outside a side and still count as inside.
 /// Boxes of equal size lie exactly on top of each other all the time: without this, rounding would decide in each
 /// step anew whether a corner belongs to the one or the other.
 pub(super) const FLUSH: Float = 1e-4;
@@ -108,7 +108,7 @@ fn fill<P: Polytope, Q: Polytope, const N: usize>(
     for (i, &v) in q.face_vertices(incident).iter().enumerate() {
         polygon.push(frame.point(q.vertex(v as usize)), i as u16);
     }
-    let flush = FLUSH * p.inner_radius();
+    let flush = FLUSH * p.inner_radius().min(q.inner_radius());
     for i in 0..sides.len() {
         let a = p.vertex(sides[i] as usize);
         let b = p.vertex(sides[if i + 1 == sides.len() { 0 } else { i + 1 }] as usize);

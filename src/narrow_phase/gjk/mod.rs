@@ -161,7 +161,7 @@ impl<'a> Pair<'a> {
         }
         let (a, b) = self.witnesses(simplex.vertices().iter().zip(simplex.weights().iter().copied()));
         let distance = if status == Status::Overlapping { 0.0 } else { v.dot(&v).sqrt() };
-        let normal = if distance > 0.0 { -v / distance } else { Wide::zeros() };
+        let normal = if distance > 0.0 { -simplex.direction(v) } else { Wide::zeros() };
         Closest { status, iterations, distance, a, b, normal, simplex }
     }
 }

@@ -43,6 +43,23 @@ impl Simplex {
         self.vertices().iter().fold(0.0, |s, v| largest(&v.w).max(s))
     }
 
+    /// The unit vector along `v`, the point closest to the origin. Where that lies in a triangle, the normal of the
+    /// triangle has more digits than a short `v`, unless the triangle is narrower still.
+    pub fn direction(&self, v: Wide) -> Wide {
+        let vv = v.dot(&v);
+        if self.len == 3 {
+            let (a, b, c) = (self.v[0].w, self.v[1].w, self.v[2].w);
+            let n = (b - a).cross(&(c - a));
+            let nn = n.dot(&n);
+            let longest = (b - a).norm_squared().max((c - a).norm_squared()).max((c - b).norm_squared());
+            if nn > vv * longest {
+                let n = n / nn.sqrt();
+                return if n.dot(&v) < 0.0 { -n } else { n };
+            }
+        }
+        v / vv.sqrt()
+    }
+
     /// The weights of the point closest to the origin.
     pub fn weights(&self) -> &[f64] {
         &self.weight[..self.len]
