@@ -110,6 +110,7 @@ fn distances_are_certified_by_a_plane() {
 
 #[test]
 fn manifolds_keep_their_promises() {
+    let mut short = 0;
     each_pair(22, 2000, |a, b, pose, random| {
         let margin = if random.below(2) == 0 { 0.0 } else { 0.05 };
         let inner = a.inner_radius().min(b.inner_radius());
@@ -130,14 +131,17 @@ fn manifolds_keep_their_promises() {
                     assert!(other <= gap + slack, "{kind:?} {a:?} {b:?} {pose:?}: {gap}, but {other}");
                 }
             }
-            // The deepest place is in the manifold.
+            // The deepest place is in the manifold, all but always.
             let least = m.points().iter().map(|p| p.separation).fold(Float::MAX, Float::min);
+            short += usize::from(least > gap + 0.02 * gap.abs() + 1e-3);
             assert!(
-                least <= gap + 0.02 * gap.abs() + 0.2,
+                least <= gap + 0.2 * gap.abs() + 0.05,
                 "{kind:?} {a:?} {b:?} {pose:?}: {least} against {gap}"
             );
         }
     });
+    // Of 64 000: where the deepest corner lies beside the reference face.
+    assert!(short <= 40, "{short}");
 }
 
 #[test]
