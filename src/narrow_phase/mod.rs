@@ -23,7 +23,7 @@ mod clip;
 mod contact;
 mod epa;
 mod frame;
-pub mod gjk;
+mod gjk;
 mod polytopes;
 mod query;
 mod reduce;
@@ -37,7 +37,7 @@ use crate::shape::Shape;
 
 pub use cast::{CastHit, shape_cast, shape_cast_proxy};
 pub use contact::{MAX_MANIFOLD_POINTS, Manifold, ManifoldPoint};
-pub use query::{DistanceResult, DistanceStatus, Proxy, distance, distance_proxy, overlap};
+pub use query::{DistanceResult, DistanceStatus, MAX_PROXY_POINTS, Proxy, distance, distance_proxy, overlap};
 
 /// How manifolds between bounded shapes are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
