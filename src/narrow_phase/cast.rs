@@ -7,7 +7,7 @@ use super::query::{Proxy, core, lowest};
 use crate::math::scalar::{double, single};
 use crate::math::tolerance::CAST_ARRIVAL;
 use crate::math::{Float, Pose, Vec3};
-use crate::shape::{Core, Shape, narrow, wide};
+use crate::shape::{Core, HalfSpace, Shape, narrow, wide};
 
 /// Polytopes arrive within a dozen steps, grazing balls need a few more.
 const MAX_STEPS: u32 = 64;
@@ -38,11 +38,7 @@ pub fn shape_cast(
         (Shape::HalfSpace(_), Shape::HalfSpace(_)) => {
             Some(CastHit { fraction: 0.0, point: Vec3::zeros(), normal: Vec3::zeros() })
         }
-        (Shape::HalfSpace(h), _) => {
-            let p = lowest(h, &core(b), a_from_b);
-            let hit = Shape::HalfSpace(*h).ray_cast(p, translation, max_fraction)?;
-            Some(CastHit { fraction: hit.fraction, point: hit.point, normal: hit.normal })
-        }
+        (Shape::HalfSpace(h), _) => cast_at_half_space(h, &core(b), a_from_b, translation, max_fraction),
         (_, Shape::HalfSpace(_)) => {
             let hit =
                 shape_cast(b, a, &a_from_b.inverse(), -a_from_b.vector_back(translation), max_fraction)?;
@@ -51,6 +47,21 @@ pub fn shape_cast(
             Some(CastHit { fraction: hit.fraction, point, normal: -a_from_b.vector(hit.normal) })
         }
         _ => cast_cores(&core(a), &core(b), a_from_b, translation, max_fraction),
+    }
+}
+
+/// The same for a proxy moving towards a shape.
+#[must_use]
+pub fn cast_proxy(
+    a: &Shape,
+    b: &Proxy,
+    a_from_b: &Pose,
+    translation: Vec3,
+    max_fraction: Float,
+) -> Option<CastHit> {
+    match a {
+        Shape::HalfSpace(h) => cast_at_half_space(h, b.core(), a_from_b, translation, max_fraction),
+        _ => cast_cores(&core(a), b.core(), a_from_b, translation, max_fraction),
     }
 }
 
@@ -64,6 +75,18 @@ pub fn shape_cast_proxy(
     max_fraction: Float,
 ) -> Option<CastHit> {
     cast_cores(a.core(), b.core(), a_from_b, translation, max_fraction)
+}
+
+fn cast_at_half_space(
+    h: &HalfSpace,
+    b: &Core,
+    pose: &Pose,
+    translation: Vec3,
+    max_fraction: Float,
+) -> Option<CastHit> {
+    let p = lowest(h, b, pose);
+    let hit = Shape::HalfSpace(*h).ray_cast(p, translation, max_fraction)?;
+    Some(CastHit { fraction: hit.fraction, point: hit.point, normal: hit.normal })
 }
 
 fn cast_cores(a: &Core, b: &Core, pose: &Pose, translation: Vec3, max_fraction: Float) -> Option<CastHit> {

@@ -35,9 +35,11 @@ mod tests;
 use crate::math::{Float, Pose};
 use crate::shape::Shape;
 
-pub use cast::{CastHit, shape_cast, shape_cast_proxy};
+pub use cast::{CastHit, cast_proxy, shape_cast, shape_cast_proxy};
 pub use contact::{MAX_MANIFOLD_POINTS, Manifold, ManifoldPoint};
-pub use query::{DistanceResult, DistanceStatus, MAX_PROXY_POINTS, Proxy, distance, distance_proxy, overlap};
+pub use query::{
+    DistanceResult, DistanceStatus, MAX_PROXY_POINTS, Proxy, distance, distance_proxy, overlap, overlap_proxy,
+};
 
 /// How manifolds between bounded shapes are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -4,7 +4,7 @@ use super::gjk::Pair;
 pub use super::gjk::Status as DistanceStatus;
 use crate::error::{Error, ErrorCode, Result, check};
 use crate::math::scalar::{double, single};
-use crate::math::{Float, Pose, Vec3};
+use crate::math::{Aabb, Float, Pose, Vec3};
 use crate::shape::{Core, CorePoints, HalfSpace, Shape, narrow};
 
 /// How far two shapes are apart, in the frame of A.
@@ -51,6 +51,13 @@ impl<'a> Proxy<'a> {
         Ok(Self { core: Core { points: CorePoints::Cloud(points), radius } })
     }
 
+    /// The box around it, in the frame of its points \[m\].
+    #[must_use]
+    pub fn aabb(&self) -> Aabb {
+        let CorePoints::Cloud(points) = self.core.points else { unreachable!("a proxy is made of points") };
+        Aabb::of_points(points).grown(self.core.radius)
+    }
+
     pub(super) fn core(&self) -> &Core<'a> {
         &self.core
     }
@@ -87,8 +94,21 @@ pub fn overlap(a: &Shape, b: &Shape, a_from_b: &Pose) -> bool {
     let (Some(ca), Some(cb)) = (a.core(), b.core()) else {
         return distance(a, b, a_from_b).distance <= 0.0;
     };
-    let reach = ca.radius + cb.radius;
-    let close = Pair::new(ca.points, cb.points, a_from_b).distance(reach);
+    overlap_cores(&ca, &cb, a_from_b)
+}
+
+/// Whether a shape and a proxy have a point in common.
+#[must_use]
+pub fn overlap_proxy(a: &Shape, b: &Proxy, a_from_b: &Pose) -> bool {
+    match a {
+        Shape::HalfSpace(h) => h.height(lowest(h, &b.core, a_from_b)) <= 0.0,
+        _ => overlap_cores(&core(a), &b.core, a_from_b),
+    }
+}
+
+fn overlap_cores(a: &Core, b: &Core, pose: &Pose) -> bool {
+    let reach = a.radius + b.radius;
+    let close = Pair::new(a.points, b.points, pose).distance(reach);
     match close.status {
         DistanceStatus::Beyond => false,
         DistanceStatus::Overlapping => true,

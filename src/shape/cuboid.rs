@@ -73,7 +73,8 @@ impl Cuboid {
                 }
             }
         }
-        if t.0 > t.1 {
+        // An interval that ends before 0 lies behind the ray.
+        if t.0.max(0.0) > t.1 {
             return None;
         }
         RayHit::at(origin, translation, t.0, max_fraction, |_| normal)

@@ -88,6 +88,7 @@ impl World {
             self.quarantine(body as usize);
         }
         self.scratch.broken = broken;
+        self.keep_boxes_around_shapes();
     }
 
     /// Stage 11.

@@ -176,7 +176,8 @@ impl Hull {
             if ray::clip(&mut t, n.dot(&o) - double(f.offset), n.dot(&d)) {
                 normal = f.normal;
             }
-            if t.0 > t.1 {
+            // An interval that ends before 0 lies behind the ray.
+            if t.0.max(0.0) > t.1 {
                 return None;
             }
         }
