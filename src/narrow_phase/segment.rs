@@ -1,7 +1,7 @@
 //! A sphere or a capsule A against a solid with flat faces B. Everything is computed in the frame of B, where the
 //! faces are; the result is turned to the frame of A at the end.
 
-use super::analytic::{CROSSING, closest_of_segments};
+use super::analytic::{CROSSING, FLUSH, closest_of_segments};
 use super::contact::{Manifold, feature};
 use super::epa;
 use super::gjk::{Pair, Status};
@@ -241,10 +241,16 @@ fn on_edge<P: Polytope>(
         }
         let at = e.map(|v| (v - ends[0]).dot(&along) / length_squared(along));
         let (first, last) = if at[0] < at[1] { (0, 1) } else { (1, 0) };
-        let start =
-            if at[first] > 0.0 { (at[first], feature::vertex_b(first)) } else { (0.0, feature::vertex_a(0)) };
-        let end =
-            if at[last] < 1.0 { (at[last], feature::vertex_b(last)) } else { (1.0, feature::vertex_a(1)) };
+        let start = if at[first] > FLUSH {
+            (at[first], feature::vertex_b(first))
+        } else {
+            (0.0, feature::vertex_a(0))
+        };
+        let end = if at[last] < 1.0 - FLUSH {
+            (at[last], feature::vertex_b(last))
+        } else {
+            (1.0, feature::vertex_a(1))
+        };
         if end.0 - start.0 <= 1e-3 {
             continue;
         }
