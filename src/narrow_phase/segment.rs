@@ -38,7 +38,7 @@ pub(super) fn sphere_polytope<P: Polytope>(
     if top - a.radius() > margin {
         return;
     }
-    let (outward, gap) = if top <= 0.0 {
+    let (outward, gap) = if top <= 0.0 || is_over(b, face, center) {
         (b.plane(face).0, top)
     } else {
         let pair = Pair::new(CorePoints::One(center), b.core_points(), &Pose::IDENTITY);
@@ -54,6 +54,16 @@ pub(super) fn sphere_polytope<P: Polytope>(
         out.normal = -pose.vector(outward);
         out.push(pose.point(center - outward * (0.5 * (gap + a.radius()))), separation, 0);
     }
+}
+
+/// Whether `x` lies over the face: then its foot there is the closest point of the whole solid.
+fn is_over<P: Polytope>(b: &P, face: usize, x: Vec3) -> bool {
+    let (n, vs) = (b.plane(face).0, b.face_vertices(face));
+    (0..vs.len()).all(|i| {
+        let v = b.vertex(vs[i] as usize);
+        let next = b.vertex(vs[if i + 1 == vs.len() { 0 } else { i + 1 }] as usize);
+        (next - v).cross(&n).dot(&(x - v)) <= 0.0
+    })
 }
 
 /// Where the segment of the capsule and the solid come closest, or how to part them: the outward normal of the
