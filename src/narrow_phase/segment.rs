@@ -84,19 +84,7 @@ pub(super) fn capsule_polytope<P: Polytope>(
 ) {
     let ends = [pose.point_back(a.center1()), pose.point_back(a.center2())];
     let reach = a.radius() + margin;
-    let pair = Pair::new(CorePoints::Two(ends), b.core_points(), &Pose::IDENTITY);
-    let close = pair.distance(reach);
-    let axis = match close.status {
-        Status::Beyond => return,
-        Status::Overlapping if gjk => {
-            let d = epa::depth(&pair, &close.simplex);
-            Axis { outward: -narrow(d.normal), gap: single(-d.depth), on_segment: narrow(d.a) }
-        }
-        Status::Overlapping => deep_axis(ends, b, narrow(close.a)),
-        _ => {
-            Axis { outward: -narrow(close.normal), gap: single(close.distance), on_segment: narrow(close.a) }
-        }
-    };
+    let Some(axis) = over_face(ends, b).or_else(|| closest_axis(ends, b, reach, gjk)) else { return };
     if axis.gap > reach {
         return;
     }
@@ -121,6 +109,39 @@ pub(super) fn capsule_polytope<P: Polytope>(
     for p in &mut out.points[..out.count] {
         p.point = pose.point(p.point);
     }
+}
+
+/// A segment whose ends both lie over one face is closest to the solid there, at the lower end.
+fn over_face<P: Polytope>(ends: [Vec3; 2], b: &P) -> Option<Axis> {
+    let (mut gap, mut face) = (0.0, None);
+    for i in 0..b.face_count() {
+        let (n, d) = b.plane(i);
+        let height = n.dot(&ends[0]).min(n.dot(&ends[1])) - d;
+        if height > gap {
+            (gap, face) = (height, Some(i));
+        }
+    }
+    let face = face.filter(|&f| is_over(b, f, ends[0]) && is_over(b, f, ends[1]))?;
+    let outward = b.plane(face).0;
+    let lower = usize::from(outward.dot(&ends[1]) < outward.dot(&ends[0]));
+    Some(Axis { outward, gap, on_segment: ends[lower] })
+}
+
+/// The axis from GJK; where the segment pierces the solid, from its faces and edges, or from EPA.
+fn closest_axis<P: Polytope>(ends: [Vec3; 2], b: &P, reach: Float, gjk: bool) -> Option<Axis> {
+    let pair = Pair::new(CorePoints::Two(ends), b.core_points(), &Pose::IDENTITY);
+    let close = pair.distance(reach);
+    Some(match close.status {
+        Status::Beyond => return None,
+        Status::Overlapping if gjk => {
+            let d = epa::depth(&pair, &close.simplex);
+            Axis { outward: -narrow(d.normal), gap: single(-d.depth), on_segment: narrow(d.a) }
+        }
+        Status::Overlapping => deep_axis(ends, b, narrow(close.a)),
+        _ => {
+            Axis { outward: -narrow(close.normal), gap: single(close.distance), on_segment: narrow(close.a) }
+        }
+    })
 }
 
 /// Adds the point under `on_segment`, where the gap between segment and solid is `gap`.
