@@ -4,6 +4,7 @@
 
 pub mod error;
 pub mod math;
+mod memory;
 pub mod simd;
 
 pub mod world;

@@ -104,6 +104,11 @@ impl World {
             self.broad_phase.find_pairs(&self.moved, &mut pairs);
         }
         self.moved.clear();
+        // A crowd comes at once: make the room at once, too.
+        let free = self.identity.contacts.slots() - self.identity.contacts.live();
+        let new = pairs.len().saturating_sub(self.pairs.len() + free);
+        crate::memory::make_room(&mut self.contacts.contacts, new);
+        self.pairs.reserve(new);
         for &pair in &pairs {
             if self.pairs.get(pair).is_none() && self.may_collide(pair) {
                 self.create_contact(pair);

@@ -120,6 +120,7 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Kind f
 
     fn append(&mut self, contacts: &[Contact], placed: &[Placed], rows: &Rows) -> Range<u32> {
         let start = self.blocks.len();
+        crate::memory::make_room(&mut self.blocks, placed.len().div_ceil(L::N));
         for group in placed.chunks(L::N) {
             self.blocks.push(ContactBlock::empty());
             let block = self.blocks.last_mut().expect("pushed above");

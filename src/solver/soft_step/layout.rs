@@ -18,6 +18,10 @@ const BATCH_BYTES: usize = 512 << 10;
 /// order of its square.
 const SPIN_BOUND: Float = 2e-4;
 
+/// How many constraints are placed before their blocks are filled: a multiple of every width, few enough to stay
+/// in the cache.
+const CHUNK: usize = 512;
+
 /// Islands that one thread takes through all sub-steps.
 #[derive(Clone, Debug)]
 pub struct Batch {
@@ -293,7 +297,7 @@ impl Workspace {
             while at < self.keys.len() && (self.keys[at] >> 42) as usize == batch {
                 let group = self.keys[at] >> 32;
                 self.placed.clear();
-                while at < self.keys.len() && self.keys[at] >> 32 == group {
+                while at < self.keys.len() && self.keys[at] >> 32 == group && self.placed.len() < CHUNK {
                     let index = self.keys[at] as u32;
                     let contact = &contacts.contacts[index as usize];
                     let island = island_of(bodies, contact.body).expect("sorted ones have an island");
