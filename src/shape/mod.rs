@@ -23,7 +23,7 @@ mod sphere;
 #[cfg(test)]
 pub(crate) mod testing;
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, expect};
 use crate::math::{Aabb, Float, Pose, Vec3};
 use std::sync::Arc;
 
@@ -65,15 +65,6 @@ macro_rules! each {
             Shape::HalfSpace($s) => $body,
         }
     };
-}
-
-/// The value, or a panic with the error's sentence: for constructors whose arguments are written by hand.
-#[track_caller]
-fn expect<T>(result: Result<T>) -> T {
-    match result {
-        Ok(value) => value,
-        Err(error) => panic!("{error}"),
-    }
 }
 
 impl Shape {
