@@ -4,6 +4,7 @@
 
 use super::gjk::{Pair, Status};
 use super::query::{Proxy, core, lowest};
+use crate::math::scalar::{double, single};
 use crate::math::tolerance::CAST_ARRIVAL;
 use crate::math::{Float, Pose, Vec3};
 use crate::shape::{Core, HalfSpace, Shape, narrow, wide};
@@ -91,14 +92,14 @@ fn cast_at_half_space(
 fn cast_cores(a: &Core, b: &Core, pose: &Pose, translation: Vec3, max_fraction: Float) -> Option<CastHit> {
     let mut pair = Pair::new(a.points, b.points, pose);
     let way = wide(translation);
-    let (ra, radii) = (a.radius as f64, (a.radius + b.radius) as f64);
+    let (ra, radii) = (double(a.radius), double(a.radius + b.radius));
     let mut fraction = 0.0;
     for step in 0..MAX_STEPS {
         let close = pair.distance(Float::MAX);
         let gap = close.distance - radii;
         let hit = |normal| {
             let point = narrow(close.a + close.normal * ra);
-            Some(CastHit { fraction: fraction as Float, point, normal })
+            Some(CastHit { fraction: single(fraction), point, normal })
         };
         if step == 0 && (gap <= 0.0 || close.status == Status::Overlapping) {
             return hit(Vec3::zeros());
@@ -117,7 +118,7 @@ fn cast_cores(a: &Core, b: &Core, pose: &Pose, translation: Vec3, max_fraction: 
         }
         let advance = gap / approach;
         fraction += advance;
-        if fraction > max_fraction as f64 {
+        if fraction > double(max_fraction) {
             return None;
         }
         pair.shift(way * advance);

@@ -23,7 +23,7 @@ mod clip;
 mod contact;
 mod epa;
 mod frame;
-pub mod gjk;
+mod gjk;
 mod polytopes;
 mod query;
 mod reduce;

@@ -3,6 +3,7 @@
 use super::gjk::Pair;
 pub use super::gjk::Status as DistanceStatus;
 use crate::error::{Error, ErrorCode, Result, check};
+use crate::math::scalar::{double, single};
 use crate::math::{Aabb, Float, Pose, Vec3};
 use crate::shape::{Core, CorePoints, HalfSpace, Shape, narrow};
 
@@ -111,7 +112,7 @@ fn overlap_cores(a: &Core, b: &Core, pose: &Pose) -> bool {
     match close.status {
         DistanceStatus::Beyond => false,
         DistanceStatus::Overlapping => true,
-        _ => close.distance as Float <= reach,
+        _ => single(close.distance) <= reach,
     }
 }
 
@@ -133,9 +134,9 @@ fn overlapping(point: Vec3) -> DistanceResult {
 
 fn distance_cores(a: &Core, b: &Core, pose: &Pose) -> DistanceResult {
     let close = Pair::new(a.points, b.points, pose).distance(Float::MAX);
-    let (ra, rb) = (a.radius as f64, b.radius as f64);
+    let (ra, rb) = (double(a.radius), double(b.radius));
     let (on_a, on_b) = (close.a + close.normal * ra, close.b - close.normal * rb);
-    let gap = (close.distance - ra - rb) as Float;
+    let gap = single(close.distance - ra - rb);
     // Where only the rounded parts overlap, the point that shares the way between the cores by the radii is in both.
     let share = if ra + rb > 0.0 { ra / (ra + rb) } else { 0.0 };
     let middle = close.a + close.normal * (close.distance * share);

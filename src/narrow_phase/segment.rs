@@ -1,16 +1,17 @@
 //! A sphere or a capsule A against a solid with flat faces B. Everything is computed in the frame of B, where the
 //! faces are; the result is turned to the frame of A at the end.
 
-use super::analytic::{CROSSING, closest_of_segments};
+use super::analytic::{CROSSING, FLUSH, closest_of_segments};
 use super::contact::{Manifold, feature};
 use super::epa;
 use super::gjk::{Pair, Status};
+use crate::math::scalar::single;
 use crate::math::tolerance::{DEPTH_PREFERENCE, EDGE_PREFERENCE, PARALLEL_SINE};
 use crate::math::{Float, Pose, Vec3, length, length_squared};
 use crate::shape::{Capsule, CorePoints, Polytope, Sphere, narrow};
 
 /// A capsule lies on a face when its normal leans less than this from the face's (cosine).
-const ALONG_FACE: Float = 0.9;
+const ALONG_FACE: Float = 0.998;
 
 /// The same for a capsule whose segment is inside the solid.
 const ALONG_FACE_DEEP: Float = 0.9999;
@@ -37,7 +38,7 @@ pub(super) fn sphere_polytope<P: Polytope>(
     if top - a.radius() > margin {
         return;
     }
-    let (outward, gap) = if top <= 0.0 {
+    let (outward, gap) = if top <= 0.0 || is_over(b, face, center) {
         (b.plane(face).0, top)
     } else {
         let pair = Pair::new(CorePoints::One(center), b.core_points(), &Pose::IDENTITY);
@@ -45,7 +46,7 @@ pub(super) fn sphere_polytope<P: Polytope>(
         match close.status {
             Status::Beyond => return,
             Status::Overlapping => (b.plane(face).0, top),
-            _ => (-narrow(close.normal), close.distance as Float),
+            _ => (-narrow(close.normal), single(close.distance)),
         }
     };
     let separation = gap - a.radius();
@@ -53,6 +54,16 @@ pub(super) fn sphere_polytope<P: Polytope>(
         out.normal = -pose.vector(outward);
         out.push(pose.point(center - outward * (0.5 * (gap + a.radius()))), separation, 0);
     }
+}
+
+/// Whether `x` lies over the face: then its foot there is the closest point of the whole solid.
+fn is_over<P: Polytope>(b: &P, face: usize, x: Vec3) -> bool {
+    let (n, vs) = (b.plane(face).0, b.face_vertices(face));
+    (0..vs.len()).all(|i| {
+        let v = b.vertex(vs[i] as usize);
+        let next = b.vertex(vs[if i + 1 == vs.len() { 0 } else { i + 1 }] as usize);
+        (next - v).cross(&n).dot(&(x - v)) <= 0.0
+    })
 }
 
 /// Where the segment of the capsule and the solid come closest, or how to part them: the outward normal of the
@@ -73,19 +84,7 @@ pub(super) fn capsule_polytope<P: Polytope>(
 ) {
     let ends = [pose.point_back(a.center1()), pose.point_back(a.center2())];
     let reach = a.radius() + margin;
-    let pair = Pair::new(CorePoints::Two(ends), b.core_points(), &Pose::IDENTITY);
-    let close = pair.distance(reach);
-    let axis = match close.status {
-        Status::Beyond => return,
-        Status::Overlapping if gjk => {
-            let d = epa::depth(&pair, &close.simplex);
-            Axis { outward: -narrow(d.normal), gap: -d.depth as Float, on_segment: narrow(d.a) }
-        }
-        Status::Overlapping => deep_axis(ends, b),
-        _ => {
-            Axis { outward: -narrow(close.normal), gap: close.distance as Float, on_segment: narrow(close.a) }
-        }
-    };
+    let Some(axis) = over_face(ends, b).or_else(|| closest_axis(ends, b, reach, gjk)) else { return };
     if axis.gap > reach {
         return;
     }
@@ -101,12 +100,48 @@ pub(super) fn capsule_polytope<P: Polytope>(
     };
     if !found {
         out.count = 0;
-        add(a.radius(), axis.on_segment, &axis, axis.gap, margin, feature::edges(0, 0), out);
+        // Inside, the deepest end may lie beside the solid: what counts is the depth here.
+        let top = axis.outward.dot(&b.vertex(b.support(axis.outward)));
+        let here = if axis.gap > 0.0 { axis.gap } else { axis.outward.dot(&axis.on_segment) - top };
+        add(a.radius(), axis.on_segment, &axis, here, margin, feature::edges(0, 0), out);
     }
     out.normal = -pose.vector(axis.outward);
     for p in &mut out.points[..out.count] {
         p.point = pose.point(p.point);
     }
+}
+
+/// A segment whose ends both lie over one face is closest to the solid there, at the lower end.
+fn over_face<P: Polytope>(ends: [Vec3; 2], b: &P) -> Option<Axis> {
+    let (mut gap, mut face) = (0.0, None);
+    for i in 0..b.face_count() {
+        let (n, d) = b.plane(i);
+        let height = n.dot(&ends[0]).min(n.dot(&ends[1])) - d;
+        if height > gap {
+            (gap, face) = (height, Some(i));
+        }
+    }
+    let face = face.filter(|&f| is_over(b, f, ends[0]) && is_over(b, f, ends[1]))?;
+    let outward = b.plane(face).0;
+    let lower = usize::from(outward.dot(&ends[1]) < outward.dot(&ends[0]));
+    Some(Axis { outward, gap, on_segment: ends[lower] })
+}
+
+/// The axis from GJK; where the segment pierces the solid, from its faces and edges, or from EPA.
+fn closest_axis<P: Polytope>(ends: [Vec3; 2], b: &P, reach: Float, gjk: bool) -> Option<Axis> {
+    let pair = Pair::new(CorePoints::Two(ends), b.core_points(), &Pose::IDENTITY);
+    let close = pair.distance(reach);
+    Some(match close.status {
+        Status::Beyond => return None,
+        Status::Overlapping if gjk => {
+            let d = epa::depth(&pair, &close.simplex);
+            Axis { outward: -narrow(d.normal), gap: single(-d.depth), on_segment: narrow(d.a) }
+        }
+        Status::Overlapping => deep_axis(ends, b, narrow(close.a)),
+        _ => {
+            Axis { outward: -narrow(close.normal), gap: single(close.distance), on_segment: narrow(close.a) }
+        }
+    })
 }
 
 /// Adds the point under `on_segment`, where the gap between segment and solid is `gap`.
@@ -116,8 +151,8 @@ fn add(radius: Float, on_segment: Vec3, axis: &Axis, gap: Float, margin: Float, 
     }
 }
 
-/// The segment pierces the solid: the best of all faces and edges.
-fn deep_axis<P: Polytope>(ends: [Vec3; 2], b: &P) -> Axis {
+/// The segment pierces the solid, `common` being a point of both: the best of all faces and edges.
+fn deep_axis<P: Polytope>(ends: [Vec3; 2], b: &P, common: Vec3) -> Axis {
     let (mut gap, mut outward) = (-Float::MAX, Vec3::y());
     for i in 0..b.face_count() {
         let (n, d) = b.plane(i);
@@ -126,8 +161,7 @@ fn deep_axis<P: Polytope>(ends: [Vec3; 2], b: &P) -> Axis {
             (gap, outward) = (g, n);
         }
     }
-    let deepest = usize::from(outward.dot(&ends[1]) < outward.dot(&ends[0]));
-    let mut best = Axis { outward, gap, on_segment: ends[deepest] };
+    let mut best = Axis { outward, gap, on_segment: common };
     let along = ends[1] - ends[0];
     let must_beat = gap + EDGE_PREFERENCE * b.inner_radius() + DEPTH_PREFERENCE * gap.abs();
     let mut best_edge = must_beat;
@@ -190,7 +224,13 @@ fn on_face<P: Polytope>(
         }
     }
     if t[1].0 - t[0].0 <= 1e-3 {
-        return false;
+        // Too short for two points. The closest points know better, unless the segment pierces the solid here.
+        if axis.gap > 0.0 || t[1].0 < t[0].0 {
+            return false;
+        }
+        let x = ends[0] + along * (0.5 * (t[0].0 + t[1].0));
+        add(a.radius(), x, axis, n.dot(&x) - d, margin, t[0].1, out);
+        return true;
     }
     let slant = n.dot(&axis.outward);
     let ends = t.map(|(t, id)| {
@@ -232,10 +272,16 @@ fn on_edge<P: Polytope>(
         }
         let at = e.map(|v| (v - ends[0]).dot(&along) / length_squared(along));
         let (first, last) = if at[0] < at[1] { (0, 1) } else { (1, 0) };
-        let start =
-            if at[first] > 0.0 { (at[first], feature::vertex_b(first)) } else { (0.0, feature::vertex_a(0)) };
-        let end =
-            if at[last] < 1.0 { (at[last], feature::vertex_b(last)) } else { (1.0, feature::vertex_a(1)) };
+        let start = if at[first] > FLUSH {
+            (at[first], feature::vertex_b(first))
+        } else {
+            (0.0, feature::vertex_a(0))
+        };
+        let end = if at[last] < 1.0 - FLUSH {
+            (at[last], feature::vertex_b(last))
+        } else {
+            (1.0, feature::vertex_a(1))
+        };
         if end.0 - start.0 <= 1e-3 {
             continue;
         }

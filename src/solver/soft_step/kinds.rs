@@ -121,12 +121,12 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Kind f
     fn append(&mut self, contacts: &[Contact], placed: &[Placed], rows: &Rows) -> Range<u32> {
         let start = self.blocks.len();
         for group in placed.chunks(L::N) {
-            let mut block = ContactBlock::empty();
+            self.blocks.push(ContactBlock::empty());
+            let block = self.blocks.last_mut().expect("pushed above");
             for (lane, place) in group.iter().enumerate() {
-                fill(&mut block, lane, &contacts[place.index as usize], place);
+                fill(block, lane, &contacts[place.index as usize], place);
             }
             block.prepare(rows);
-            self.blocks.push(block);
         }
         start as u32..self.blocks.len() as u32
     }
