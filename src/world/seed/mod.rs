@@ -24,7 +24,9 @@ mod view;
 pub use build::{RigidbodyBuilder, StaticbodyBuilder};
 pub(super) use config::Settings;
 pub use config::{WorldBuilder, WorldConfig, WorldPlan};
-pub use view::{ObjID, RigidBodyId, RigidBodyRef, RigidbodyIter, StaticBodyId, StaticbodyIter, StaticbodyRef};
+pub use view::{
+    ObjID, RigidBodyId, RigidBodyRef, RigidbodyIter, StaticBodyId, StaticbodyIter, StaticbodyRef,
+};
 
 use super::World;
 use crate::body::NONE;
@@ -128,7 +130,9 @@ impl World {
     pub fn aabbs(&self) -> impl Iterator<Item = (&Aabb, usize)> {
         let pool = &self.identity.shapes;
         let live = (0..pool.slots()).filter(|&i| pool.is_live(i, pool.generation(i)));
-        live.map(|i| (&self.colliders[i], i)).filter(|(c, _)| self.is_enabled(c.body)).map(|(c, i)| (&c.fat, i))
+        live.map(|i| (&self.colliders[i], i))
+            .filter(|(c, _)| self.is_enabled(c.body))
+            .map(|(c, i)| (&c.fat, i))
     }
 
     fn is_enabled(&self, body: u32) -> bool {
