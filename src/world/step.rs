@@ -58,7 +58,8 @@ impl World {
             last_h: self.last_h,
             stiffness: self.def.contact_stiffness,
             damping_ratio: self.def.contact_damping_ratio,
-            push_out: self.def.contact_speed,
+            push_out_between_moving: self.def.contact_speed * self.seed.rb_separation_force,
+            push_out_on_static: self.def.contact_speed * self.seed.sb_separation_force,
             restitution_threshold: self.def.restitution_threshold,
             maximum_linear_speed: self.def.maximum_linear_speed,
             warm_starting: self.def.enable_warm_starting,
@@ -183,7 +184,6 @@ impl World {
                 (drive.force, drive.torque) = (Vec3::zeros(), Vec3::zeros());
             }
             self.last_h = settings.dt / settings.sub_steps as Float;
-            self.last_dt = settings.dt;
         }
         self.last_sub_steps = settings.sub_steps;
         self.counts.steps += 1;

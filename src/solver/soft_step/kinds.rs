@@ -44,7 +44,7 @@ pub struct Placed {
     /// Centre of A minus centre of B \[m\].
     pub offset: Vec3,
     /// How soft it is, see [`ContactBlock`].
-    pub soft: [Float; 3],
+    pub soft: [Float; 4],
     /// The memory filter's rate, per step.
     pub alpha: Float,
     /// This step's sub-step over the last one's: impulses are per sub-step.

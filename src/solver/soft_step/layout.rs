@@ -287,8 +287,8 @@ impl Workspace {
         self.kinematic_copy.resize(bodies.awake().len(), [NONE; 2]);
         let h = settings.dt / settings.sub_steps as Float;
         // Between moving bodies, and on immovable ones.
-        let softness_of =
-            [1.0, 2.0].map(|factor| soft(factor * settings.stiffness / h, settings.damping_ratio, h));
+        let softness_of = [(1.0, settings.push_out_between_moving), (2.0, settings.push_out_on_static)]
+            .map(|(factor, speed)| soft(factor * settings.stiffness / h, settings.damping_ratio, h, speed));
         let impulse_scale = if settings.last_h > 0.0 { h / settings.last_h } else { 1.0 };
         let mut at = 0;
         for batch in 0..self.batches.len() {
