@@ -20,7 +20,7 @@ pub struct Hit {
 }
 
 /// Runs the sample for `seconds`.
-#[cfg_attr(not(feature = "f64"), allow(clippy::cast_possible_truncation))]
+#[cfg_attr(feature = "f64", allow(clippy::unnecessary_cast, clippy::useless_conversion))]
 pub fn run(seconds: f64) -> Vec<Hit> {
     let mut world = WorldBuilder::new()
         .down_gravity(GRAVITY as Float)
