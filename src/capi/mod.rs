@@ -1,0 +1,30 @@
+//! The C library: what `include/merev.h` declares.
+//!
+//! Every exported function is a thin shell: guard → look up → one call of the engine → convert. The guard turns
+//! errors and panics into a code and a sentence for the calling thread ([`error`]); the look-up finds a world
+//! and takes its lock without ever waiting ([`registry`]). Names are those of C, so that what the header
+//! declares can be found here by searching for it. The header is made from these files by cbindgen (`xtask
+//! header`); doc comments go into it word for word, so they speak to C programmers.
+//!
+//! This is the only room, besides `simd` and one file of `parallel`, that contains `unsafe`. What C can pass by
+//! value is any bit pattern, so structs hold numbers, pointers and bytes only: booleans and enumerations are
+//! checked before they become Rust's.
+#![allow(non_camel_case_types, non_upper_case_globals, non_snake_case)]
+// C's rules for pointers are in the header; a section for Rust callers would end up there too.
+#![allow(clippy::missing_safety_doc)]
+#![allow(missing_docs)]
+
+mod base;
+mod error;
+mod guard;
+mod id;
+mod math;
+mod math_fcn;
+
+pub use crate::math::Float as mvFloat;
+
+pub use base::*;
+pub use error::*;
+pub use id::*;
+pub use math::*;
+pub use math_fcn::*;
