@@ -1,5 +1,7 @@
 //! merev: a rigid-body physics engine, used as a C library.
 
+pub mod broad_phase;
+pub mod capi;
 pub mod error;
 pub mod math;
 pub mod shape;

@@ -11,3 +11,39 @@ pub const MIN_SIZE: Float = 1e-5;
 
 /// The greatest coordinate or size accepted \[m\]. Squares and cubes of it still are finite in f32.
 pub const MAX_COORDINATE: Float = 1e9;
+
+/// How far a point may stand out of a hull's face and still count as lying in it, in units of ε × the sum of
+/// the largest |coordinates| along the three axes. Input points carry half an ulp of rounding each, a rotation
+/// applied by the caller a few more.
+pub const HULL_FLATNESS: f64 = 12.0;
+
+/// By how much of the thinner shape's inner radius an edge–edge axis must beat the best face axis. Without it
+/// a box that rocks by a hair would trade its four-point face manifold for a single point, back and forth.
+pub const EDGE_PREFERENCE: Float = 1e-3;
+
+/// The same for face B against face A: equal in the commonest case of all, two boxes face to face.
+pub const FACE_PREFERENCE: Float = 5e-4;
+
+/// The share of the depth that an edge axis or face B must win on top: deep overlaps rock more.
+pub const DEPTH_PREFERENCE: Float = 0.02;
+
+/// Two edges whose directions have a sine below this are parallel: their cross product is rounding, and a face
+/// axis says the same better.
+pub const PARALLEL_SINE: Float = 2e-3;
+
+/// Contact points whose separations differ by less than this share of the contact's extent are equally deep:
+/// which of them is kept must not depend on rounding.
+pub const EQUAL_DEPTH: Float = 1e-4;
+
+/// The relative gain in squared distance that GJK must still make to go on. The sub-algorithm computes in
+/// double in both builds, so this is far above its rounding and far below that of f32 results.
+pub const GJK_PROGRESS: f64 = 1e-13;
+
+/// Below this share of the largest core coordinate, squared, the distance of two cores is zero.
+pub const GJK_TOUCH: f64 = 1e-26;
+
+/// EPA ends when a new support point would move the depth by less than this share of the scale.
+pub const EPA_PROGRESS: f64 = 1e-11;
+
+/// A cast has arrived when the gap is below this share of the pair's size.
+pub const CAST_ARRIVAL: f64 = 1e-7;

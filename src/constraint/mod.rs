@@ -1,0 +1,5 @@
+//! Constraints that persist from step to step. A contact is keyed by (shape, child) on both sides.
+
+pub mod contact;
+
+pub use contact::{Contact, ContactPoint, ContactStore};
