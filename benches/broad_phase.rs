@@ -170,3 +170,11 @@ fn pair_set_get(bencher: Bencher) {
         black_box(set.get([i >> 14, (i >> 14) + 1 + i % 8 * 97]))
     });
 }
+
+/// Pairs when everything moved.
+#[divan::bench(args = COUNTS, max_time = 3)]
+fn pairs_of_all(bencher: Bencher, count: u32) {
+    let mut scene = Scene::new(count, Layer::Moving);
+    let all: Vec<u32> = (0..count).collect();
+    bencher.bench_local(|| scene.bvh.find_pairs(&all, &mut scene.pairs));
+}

@@ -102,7 +102,10 @@ pub(crate) mod check {
         if v.amax() <= MAX_COORDINATE {
             Ok(v)
         } else {
-            Err(Error::new(ErrorCode::Range, format!("{name} lies more than {MAX_COORDINATE} m from the origin.")))
+            Err(Error::new(
+                ErrorCode::Range,
+                format!("{name} lies more than {MAX_COORDINATE} m from the origin."),
+            ))
         }
     }
 

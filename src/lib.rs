@@ -4,6 +4,7 @@ pub mod broad_phase;
 pub mod capi;
 pub mod error;
 pub mod math;
+pub mod narrow_phase;
 pub mod shape;
 
 pub use error::{Error, ErrorCode, Result};

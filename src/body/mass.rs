@@ -138,31 +138,6 @@ fn inverse_of_free_block(m: &Mat3, locked: [bool; 3]) -> Mat3 {
     inverse
 }
 
-/// Adds up the masses of several solids, given in one frame.
-#[must_use]
-pub fn sum(parts: &[MassData]) -> MassData {
-    let mass: Float = parts.iter().map(|m| m.mass).sum();
-    if mass <= 0.0 {
-        return MassData { mass: 0.0, center: Vec3::zeros(), inertia: Mat3::zeros() };
-    }
-    let center = parts.iter().fold(Vec3::zeros(), |s, m| s + m.center * m.mass) / mass;
-    let inertia = parts.iter().fold(Mat3::zeros(), |s, m| s + m.inertia + steiner(m.mass, m.center - center));
-    MassData { mass, center, inertia }
-}
-
-/// The same solid, placed by `pose`.
-#[must_use]
-pub fn placed(m: &MassData, pose: &crate::math::Pose) -> MassData {
-    let r = rotation_matrix(&pose.q);
-    MassData { mass: m.mass, center: pose.point(m.center), inertia: symmetric(&(r * m.inertia * r.transpose())) }
-}
-
-/// The parallel-axis term: the inertia of a point mass at `d`.
-#[must_use]
-pub fn steiner(mass: Float, d: Vec3) -> Mat3 {
-    (Mat3::identity() * d.dot(&d) - d * d.transpose()) * mass
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -194,16 +169,5 @@ mod tests {
         let w = vec3(0.7, 0.0, -0.2);
         let back = inv * (m.world_inertia(&q) * w);
         assert!(crate::math::length(back - w) < 1e-5);
-    }
-
-    #[test]
-    fn two_half_rods_make_a_rod() {
-        let half = |x: Float| MassData {
-            mass: 1.0,
-            center: vec3(x, 0.0, 0.0),
-            inertia: Mat3::from_diagonal(&vec3(0.0, 1.0 / 12.0, 1.0 / 12.0)),
-        };
-        let rod = sum(&[half(-0.5), half(0.5)]);
-        assert!((rod.inertia.m22 - 2.0 * 4.0 / 12.0).abs() < 1e-6 && rod.center.x == 0.0);
     }
 }

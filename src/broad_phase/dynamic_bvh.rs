@@ -6,7 +6,8 @@ use crate::math::{Aabb, Float, Vec3};
 /// Two trees of boxes, one for what stands and one for what moves: a landscape of a million static boxes costs a
 /// step only what the moving boxes see of it.
 ///
-/// A proxy that moves grows the boxes above it; `find_pairs` then makes the grown part tight before it walks.
+/// A proxy that moves grows the boxes above it; `find_pairs` makes the grown part tight before it walks, and
+/// arranges a tree anew when it has worn out (see `Tree::refresh`).
 #[derive(Clone, Debug)]
 pub struct DynamicBvh {
     /// By [`Layer`].
@@ -68,8 +69,14 @@ impl BroadPhase for DynamicBvh {
         self.trees.iter_mut().for_each(Tree::refresh);
         moved.iter().for_each(|&proxy| self.tree_of(proxy).mark_moved(proxy));
         let [still, moving] = &self.trees;
-        self.finder.within(moving, out);
-        self.finder.between(moving, still, out);
+        if moved.len() * 4 > moving.len() {
+            self.finder.within(moving, out);
+            self.finder.between(moving, still, out);
+        } else {
+            self.finder.each(moving, moving, out);
+            self.finder.each(moving, still, out);
+            self.finder.each(still, moving, out);
+        }
         moved.iter().for_each(|&proxy| self.tree_of(proxy).unmark_moved(proxy));
         out.sort_unstable();
     }

@@ -18,7 +18,7 @@ impl Random {
 
     /// 0 … n − 1.
     pub fn below(&mut self, n: u32) -> u32 {
-        ((self.next() >> 32) * u64::from(n) >> 32) as u32
+        (((self.next() >> 32) * u64::from(n)) >> 32) as u32
     }
 
     /// −1 … 1.

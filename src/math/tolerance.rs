@@ -47,3 +47,18 @@ pub const EPA_PROGRESS: f64 = 1e-11;
 
 /// A cast has arrived when the gap is below this share of the pair's size.
 pub const CAST_ARRIVAL: f64 = 1e-7;
+
+/// How long an island has to be slow before it falls asleep \[s\].
+pub const TIME_TO_SLEEP: Float = 0.5;
+
+/// Fat boxes exceed what they hold by this share of the shape's inner radius: a body that moves by less than
+/// that makes no work for the broad phase.
+pub const FAT_MARGIN: Float = 0.1;
+
+/// Contact points exist up to a gap of this share of the shape's inner radius, besides what the bodies may move
+/// towards each other in the step: enough that a resting body's points never flicker.
+pub const CONTACT_MARGIN: Float = 0.02;
+
+/// Shapes cease to touch, for the events, at a gap of this share of the inner radius: wider than rounding, so
+/// that a resting contact does not end and begin.
+pub const TOUCH_MARGIN: Float = 1e-3;

@@ -72,12 +72,14 @@ impl Capsule {
         let cylinder = density * PI * r * r * l;
         let ball = density * 4.0 / 3.0 * PI * r * r * r;
         let along = (0.5 * cylinder + 0.4 * ball) * r * r;
-        let across = cylinder * (3.0 * r * r + l * l) / 12.0 + ball * (0.4 * r * r + 0.25 * l * l + 0.375 * l * r);
+        let across =
+            cylinder * (3.0 * r * r + l * l) / 12.0 + ball * (0.4 * r * r + 0.25 * l * l + 0.375 * l * r);
         let u = d / l;
         MassData {
             mass: cylinder + ball,
             center: (self.center1 + self.center2) * 0.5,
-            inertia: Mat3::from_diagonal(&vec3(across, across, across)) + u * u.transpose() * (along - across),
+            inertia: Mat3::from_diagonal(&vec3(across, across, across))
+                + u * u.transpose() * (along - across),
         }
     }
 

@@ -1,7 +1,8 @@
 //! A shape as a core of points and a radius: all that GJK and EPA need to know.
 
+use super::Hull;
 use super::cuboid::corner;
-use super::{Hull, Polytope};
+use super::ray::{Wide, narrow, wide};
 use crate::math::{Float, Vec3};
 
 /// A convex solid: all points within `radius` of the convex hull of the core points.
@@ -29,16 +30,18 @@ pub enum CorePoints<'a> {
 }
 
 impl CorePoints<'_> {
-    /// The index of the point farthest along `d` (any length).
+    /// The index of the point farthest along `d` (any length). In double: GJK on a thin gap would otherwise choose
+    /// its points by rounding.
     #[inline]
-    #[must_use]
-    pub fn support(&self, d: Vec3) -> usize {
+    pub(crate) fn support(&self, d: &Wide) -> usize {
         match self {
             Self::One(_) => 0,
-            Self::Two([p, q]) => usize::from((q - p).dot(&d) > 0.0),
-            Self::Box(_) => usize::from(d.x >= 0.0) | usize::from(d.y >= 0.0) << 1 | usize::from(d.z >= 0.0) << 2,
-            Self::Cloud(points) => farthest(points, d),
-            Self::Hull(h) => h.support(d),
+            Self::Two([p, q]) => usize::from(wide(q - p).dot(d) > 0.0),
+            Self::Box(_) => {
+                usize::from(d.x >= 0.0) | usize::from(d.y >= 0.0) << 1 | usize::from(d.z >= 0.0) << 2
+            }
+            Self::Cloud(points) => first_greatest(points.len(), |i| wide(points[i]).dot(d)),
+            Self::Hull(h) => h.support_by(narrow(*d), |i| wide(h.vertices()[i]).dot(d)),
         }
     }
 
@@ -69,14 +72,14 @@ impl CorePoints<'_> {
     }
 }
 
-/// The index of the point farthest along `d`; the first of equals.
-#[inline]
-pub(super) fn farthest(points: &[Vec3], d: Vec3) -> usize {
-    let mut best = (0, points[0].dot(&d));
-    for (i, p) in points.iter().enumerate().skip(1) {
-        let s = p.dot(&d);
-        if s > best.1 {
-            best = (i, s);
+/// The number below `n` with the greatest height; the first of equals.
+#[inline(always)]
+pub(super) fn first_greatest<T: PartialOrd>(n: usize, height: impl Fn(usize) -> T) -> usize {
+    let mut best = (0, height(0));
+    for i in 1..n {
+        let h = height(i);
+        if h > best.1 {
+            best = (i, h);
         }
     }
     best.0

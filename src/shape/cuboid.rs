@@ -1,4 +1,4 @@
-use super::{Edge, MassData, Polytope, RayHit, check_size, ray};
+use super::{CorePoints, Edge, MassData, Polytope, RayHit, check_size, ray};
 use crate::error::Result;
 use crate::math::{Aabb, Float, Mat3, Pose, Vec3, abs, length, max, min, rotation_matrix, vec3};
 
@@ -180,7 +180,13 @@ impl Polytope for Cuboid {
     #[inline(always)]
     fn face_along(&self, d: Vec3) -> usize {
         let a = abs(d);
-        let k = if a.x >= a.y && a.x >= a.z { 0 } else if a.y >= a.z { 1 } else { 2 };
+        let k = if a.x >= a.y && a.x >= a.z {
+            0
+        } else if a.y >= a.z {
+            1
+        } else {
+            2
+        };
         2 * k + usize::from(d[k] >= 0.0)
     }
 
@@ -191,7 +197,12 @@ impl Polytope for Cuboid {
 
     #[inline(always)]
     fn inner_radius(&self) -> Float {
-        self.half.min()
+        self.half.x.min(self.half.y).min(self.half.z)
+    }
+
+    #[inline(always)]
+    fn core_points(&self) -> CorePoints<'_> {
+        CorePoints::Box(self.half)
     }
 }
 

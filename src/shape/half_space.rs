@@ -23,7 +23,8 @@ impl HalfSpace {
             return Err(degenerate("The half-space's normal is zero; it must have a direction."));
         }
         if offset.abs() > MAX_COORDINATE {
-            let sentence = format!("The half-space's offset is {offset} m; it must lie within ±{MAX_COORDINATE} m.");
+            let sentence =
+                format!("The half-space's offset is {offset} m; it must lie within ±{MAX_COORDINATE} m.");
             return Err(Error::new(ErrorCode::Range, sentence));
         }
         // Scaled by its largest component first, so that no square over- or underflows.

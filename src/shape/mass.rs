@@ -13,14 +13,21 @@ pub struct MassData {
 
 impl MassData {
     /// Of nothing.
-    pub const ZERO: MassData =
-        MassData { mass: 0.0, center: Vec3::new(0.0, 0.0, 0.0), inertia: Mat3::new(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0) };
+    pub const ZERO: MassData = MassData {
+        mass: 0.0,
+        center: Vec3::new(0.0, 0.0, 0.0),
+        inertia: Mat3::new(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+    };
 
     /// The same solid seen from another frame.
     #[must_use]
     pub fn placed(&self, dst_from_src: &Pose) -> Self {
         let r = rotation_matrix(&dst_from_src.q);
-        Self { mass: self.mass, center: dst_from_src.point(self.center), inertia: r * self.inertia * r.transpose() }
+        Self {
+            mass: self.mass,
+            center: dst_from_src.point(self.center),
+            inertia: r * self.inertia * r.transpose(),
+        }
     }
 
     /// Both solids taken as one, in their common frame (parallel-axis theorem).

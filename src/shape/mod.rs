@@ -36,6 +36,7 @@ pub use mass::MassData;
 pub use polytope::Edge;
 pub(crate) use polytope::Polytope;
 pub use ray::RayHit;
+pub(crate) use ray::{Wide, narrow, wide};
 pub use sphere::Sphere;
 
 /// A solid, placed in a frame of its own. Cheap to clone: a hull's data are shared.
@@ -210,7 +211,9 @@ impl Shape {
     pub fn core(&self) -> Option<Core<'_>> {
         Some(match self {
             Self::Sphere(s) => Core { points: CorePoints::One(s.center()), radius: s.radius() },
-            Self::Capsule(c) => Core { points: CorePoints::Two([c.center1(), c.center2()]), radius: c.radius() },
+            Self::Capsule(c) => {
+                Core { points: CorePoints::Two([c.center1(), c.center2()]), radius: c.radius() }
+            }
             Self::Box(b) => Core { points: CorePoints::Box(b.half()), radius: 0.0 },
             Self::Hull(h) => Core { points: CorePoints::Hull(h), radius: 0.0 },
             Self::HalfSpace(_) => return None,
@@ -232,7 +235,10 @@ fn check_size(name: &str, x: Float) -> Result<Float> {
         return Err(degenerate(format!("{name} is {x} m; it must be at least {MIN_SIZE} m.")));
     }
     if x > MAX_COORDINATE {
-        return Err(Error::new(ErrorCode::Range, format!("{name} is {x} m; it must be at most {MAX_COORDINATE} m.")));
+        return Err(Error::new(
+            ErrorCode::Range,
+            format!("{name} is {x} m; it must be at most {MAX_COORDINATE} m."),
+        ));
     }
     Ok(x)
 }

@@ -1,5 +1,6 @@
 //! What the narrow phase asks of a solid with flat faces, be it a box with implicit tables or a hull.
 
+use super::CorePoints;
 use crate::math::{Float, Vec3};
 
 /// An edge between two faces.
@@ -32,6 +33,8 @@ pub(crate) trait Polytope {
     fn center(&self) -> Vec3;
     /// The least distance from the centre to a face.
     fn inner_radius(&self) -> Float;
+    /// The vertices as GJK wants them.
+    fn core_points(&self) -> CorePoints<'_>;
 }
 
 /// Checks the tables of a polytope against each other: used by the tests of boxes and hulls.
@@ -49,7 +52,10 @@ pub(crate) fn assert_consistent(p: &impl Polytope) {
             let side = usize::from(edge.v != [a, b]);
             assert_eq!(if side == 0 { edge.v } else { [edge.v[1], edge.v[0]] }, [a, b]);
             assert_eq!(edge.f[side] as usize, face);
-            assert!(!std::mem::replace(&mut seen[es[i] as usize][side], true), "a half-edge belongs to one face");
+            assert!(
+                !std::mem::replace(&mut seen[es[i] as usize][side], true),
+                "a half-edge belongs to one face"
+            );
         }
         let (n, _) = p.plane(face);
         assert!((crate::math::length(n) - 1.0).abs() < 1e-5);

@@ -32,7 +32,11 @@ impl RayHit {
             return None;
         }
         let point = narrow(wide(origin) + wide(translation) * t);
-        Some(Self { fraction: t as Float, point, normal: normalize_or(normal(point), -normalize_or(translation, Vec3::y())) })
+        Some(Self {
+            fraction: t as Float,
+            point,
+            normal: normalize_or(normal(point), -normalize_or(translation, Vec3::y())),
+        })
     }
 }
 

@@ -16,7 +16,10 @@ impl Sphere {
     /// # Errors
     /// The centre is not finite or too far out, or the radius is not a valid size.
     pub fn new(center: Vec3, radius: Float) -> Result<Self> {
-        Ok(Self { center: check::point("The sphere's centre", center)?, radius: check_size("The sphere's radius", radius)? })
+        Ok(Self {
+            center: check::point("The sphere's centre", center)?,
+            radius: check_size("The sphere's radius", radius)?,
+        })
     }
 
     /// The centre \[m\].
@@ -70,7 +73,8 @@ impl Sphere {
         if self.contains(origin) {
             return Some(RayHit::inside(origin));
         }
-        let t = ray::enter_ball(ray::wide(origin - self.center), ray::wide(translation), f64::from(self.radius))?;
+        let t =
+            ray::enter_ball(ray::wide(origin - self.center), ray::wide(translation), f64::from(self.radius))?;
         RayHit::at(origin, translation, t, max_fraction, |p| p - self.center)
     }
 }

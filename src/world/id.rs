@@ -70,7 +70,10 @@ pub struct IdPool {
 
 #[derive(Clone, Copy, Debug)]
 struct Slot {
+    /// Of the present or last use.
     generation: u32,
+    /// The highest generation ever given out, which a restored snapshot does not take back.
+    highest: u32,
     live: bool,
 }
 
@@ -86,10 +89,12 @@ impl IdPool {
         self.live += 1;
         if let Some(index) = self.free.pop() {
             let slot = &mut self.slots[index as usize];
+            slot.highest += 1;
+            slot.generation = slot.highest;
             slot.live = true;
             (index as usize, slot.generation)
         } else {
-            self.slots.push(Slot { generation: 1, live: true });
+            self.slots.push(Slot { generation: 1, highest: 1, live: true });
             (self.slots.len() - 1, 1)
         }
     }
@@ -100,10 +105,26 @@ impl IdPool {
         debug_assert!(slot.live);
         slot.live = false;
         self.live -= 1;
-        if slot.generation < self.last_generation {
-            slot.generation += 1;
+        if slot.highest < self.last_generation {
             self.free.push(index as u32);
         }
+    }
+
+    /// Goes back to an earlier state of this pool, but for generations: ids given out since stay stale.
+    pub fn restore(&mut self, earlier: &IdPool) {
+        let mut slots = earlier.slots.clone();
+        for (old, new) in self.slots.iter().zip(&mut slots) {
+            new.highest = new.highest.max(old.highest);
+        }
+        // Slots that did not exist then are taken last and in order, as if they were made anew.
+        let later = slots.len().min(self.slots.len())..self.slots.len();
+        self.free = later.clone().rev().map(|i| i as u32).collect();
+        slots.extend(self.slots[later].iter().map(|s| Slot { live: false, ..*s }));
+        self.free.extend_from_slice(&earlier.free);
+        let (last, usable) = (self.last_generation, &slots);
+        self.free.retain(|&i| usable[i as usize].highest < last);
+        self.slots = slots;
+        self.live = earlier.live;
     }
 
     /// Whether this slot is taken, in this generation.
@@ -171,6 +192,13 @@ impl Identity {
         }
     }
 
+    /// Goes back to an earlier state, but for generations.
+    pub(crate) fn restore(&mut self, earlier: &Identity) {
+        self.bodies.restore(&earlier.bodies);
+        self.shapes.restore(&earlier.shapes);
+        self.contacts.restore(&earlier.contacts);
+    }
+
     /// The identity for a next world with the same tag: no id of the old world is valid in it.
     #[must_use]
     pub fn successor(self) -> Self {
@@ -197,6 +225,21 @@ mod tests {
         assert_eq!((j, g2), (i, 2));
         pool.release(j);
         assert_eq!(pool.allocate(), (1, 1), "slot 0 has used its two generations");
+    }
+
+    #[test]
+    fn a_restored_pool_gives_the_same_slots_but_new_generations() {
+        let mut pool = IdPool::new(100);
+        pool.allocate();
+        let (b, _) = pool.allocate();
+        pool.release(b);
+        let saved = pool.clone();
+        let after = [pool.allocate(), pool.allocate(), pool.allocate()];
+        pool.restore(&saved);
+        assert!(after.iter().all(|&(i, g)| !pool.is_live(i, g)));
+        let again = [pool.allocate(), pool.allocate(), pool.allocate()];
+        assert_eq!(after.map(|a| a.0), again.map(|a| a.0));
+        assert!(after.iter().zip(&again).all(|(x, y)| x.1 < y.1));
     }
 
     #[test]

@@ -1,9 +1,14 @@
-//! Arranging many boxes at once: the whole tree, or the part of it whose boxes went stale.
+//! Keeping a tree good: boxes made tight where leaves moved, and all leaves arranged anew once that is worth it.
 
 use super::{Child, EMPTY_NODE, LEAF, NOTHING, Place, ROOT, STALE, Tree};
 use crate::math::{Aabb, Float, Vec3, max, min};
 
 const BINS: usize = 16;
+
+/// A tree is arranged anew after this many updates a leaf. An insertion counts for as much as wears a leaf out:
+/// a scene built up leaf by leaf is arranged anew in its first step.
+const WEAR_LIMIT: usize = 4;
+pub(super) const INSERTION_WEAR: usize = WEAR_LIMIT + 1;
 
 /// Scratch of the builder, kept so that a step allocates nothing.
 #[derive(Clone, Debug, Default)]
@@ -49,57 +54,52 @@ impl Tree {
         self.nodes.truncate(1);
         self.nodes[0] = EMPTY_NODE;
         self.free.clear();
+        self.wear = 0;
         self.arrange(&mut builder);
         self.builder = builder;
     }
 
-    /// Makes tight every box above a leaf that was updated, and rotates where that helps.
+    /// Makes tight every box above a leaf that was updated, and rotates where that helps; or arranges all leaves
+    /// anew when the tree has worn out.
+    ///
+    /// Measured with 10⁴ unit boxes of which a tenth takes a random step of half a box: pairs of the moved cost
+    /// 0.63 ms in a tree that was only patched for 100 steps, 0.48 ms where the part above the moved was arranged
+    /// anew in every step (which itself costs 0.4 ms), 0.2 ms in a fresh tree, whose nodes also lie in order.
     pub fn refresh(&mut self) {
-        let mut builder = std::mem::take(&mut self.builder);
-        self.collect_stale(&mut builder);
+        if self.wear > WEAR_LIMIT * self.len {
+            self.rebuild();
+            return;
+        }
+        let mut stale = std::mem::take(&mut self.builder.stale);
+        self.collect_stale(&mut stale);
         // Below before above.
-        for &node in builder.stale.iter().rev() {
+        for &node in stale.iter().rev() {
             self.rotate(node);
             self.refit(node);
         }
-        self.builder = builder;
+        self.builder.stale = stale;
     }
 
-    /// Arranges anew everything above the leaves that were updated; subtrees without any stay whole.
-    pub fn rebuild_stale(&mut self) {
-        let mut builder = std::mem::take(&mut self.builder);
-        self.collect_stale(&mut builder);
-        // The last one freed is taken first: nodes are handed out in the order in which they were listed.
-        self.free.extend(builder.stale.iter().rev());
-        self.arrange(&mut builder);
-        self.builder = builder;
-    }
-
-    /// Lists the nodes above updated leaves, each after the node above it, and what hangs from them; takes the
-    /// marks off.
-    fn collect_stale(&mut self, builder: &mut Builder) {
-        builder.stale.clear();
-        builder.items.clear();
-        if self.marks_at(ROOT) & STALE == 0 {
-            return;
-        }
-        self.sort_out(ROOT, builder);
+    /// Lists the nodes above updated leaves, each after the node above it, and takes the marks off.
+    fn collect_stale(&mut self, stale: &mut Vec<u32>) {
+        stale.clear();
+        self.take_stale(ROOT, stale);
         let mut next = 0;
-        while next < builder.stale.len() {
-            let node = builder.stale[next];
-            self.sort_out(node << 1, builder);
-            self.sort_out(node << 1 | 1, builder);
+        while next < stale.len() {
+            let node = stale[next];
+            self.take_stale(node << 1, stale);
+            self.take_stale(node << 1 | 1, stale);
             next += 1;
         }
     }
 
-    fn sort_out(&mut self, place: Place, builder: &mut Builder) {
-        let (child, stale) = (self.child_at(place), self.marks_at(place) & STALE != 0);
-        self.unmark(place, STALE);
-        if stale && child & LEAF == 0 {
-            builder.stale.push(child);
-        } else {
-            builder.items.push(Item { aabb: self.box_at(place), child });
+    fn take_stale(&mut self, place: Place, stale: &mut Vec<u32>) {
+        if self.marks_at(place) & STALE != 0 {
+            self.unmark(place, STALE);
+            match self.child_at(place) {
+                node if node & LEAF == 0 => stale.push(node),
+                _ => self.wear += 1,
+            }
         }
     }
 

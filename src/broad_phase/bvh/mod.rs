@@ -12,7 +12,7 @@ mod walk;
 pub(super) use pairs::PairFinder;
 
 use crate::math::{Aabb, Float};
-use build::Builder;
+use build::{Builder, INSERTION_WEAR};
 
 /// A slot of a node: twice the node's number, plus 0 or 1.
 type Place = u32;
@@ -54,6 +54,8 @@ pub(super) struct Tree {
     /// By proxy: its place, or [`NOTHING`].
     places: Vec<Place>,
     len: usize,
+    /// Updates and insertions since the last `rebuild`.
+    wear: usize,
     builder: Builder,
 }
 
@@ -64,6 +66,7 @@ impl Tree {
             free: Vec::new(),
             places: Vec::new(),
             len: 0,
+            wear: 0,
             builder: Builder::default(),
         }
     }
@@ -104,6 +107,7 @@ impl Tree {
             self.places.resize(at + 1, NOTHING);
         }
         self.len += 1;
+        self.wear += INSERTION_WEAR;
         if self.child_at(ROOT) == NOTHING {
             self.attach(ROOT, proxy | LEAF, *aabb, 0);
             return;
@@ -324,4 +328,15 @@ impl Tree {
         assert_eq!(nodes + 1, leaves);
         assert_eq!(self.places.iter().filter(|&&p| p != NOTHING).count(), self.len);
     }
+}
+
+/// Whether two closed boxes overlap, without a branch: in a tree's walk the outcome cannot be predicted.
+#[inline(always)]
+fn overlap(a: &Aabb, b: &Aabb) -> bool {
+    (a.lower.x <= b.upper.x)
+        & (b.lower.x <= a.upper.x)
+        & (a.lower.y <= b.upper.y)
+        & (b.lower.y <= a.upper.y)
+        & (a.lower.z <= b.upper.z)
+        & (b.lower.z <= a.upper.z)
 }

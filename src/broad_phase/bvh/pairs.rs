@@ -1,19 +1,76 @@
-//! Pairs of overlapping leaves, by walking two trees (or one tree twice) together.
+//! Pairs of overlapping leaves, in two ways: one query for each moved leaf, or two trees (or one tree twice)
+//! walked together. The second shares the upper levels between leaves; measured, it wins once a quarter moved.
 
-use super::{LEAF, MOVED, NOTHING, Place, ROOT, Tree};
+use super::{LEAF, MOVED, NOTHING, Place, ROOT, Tree, overlap};
 
-/// The walk that finds pairs, with the scratch it keeps.
+/// The walks that find pairs, with the scratch they keep. What they append is in no useful order.
 #[derive(Clone, Debug, Default)]
 pub(in super::super) struct PairFinder {
-    /// Nodes whose two children are still to be compared with each other.
+    /// Nodes, or places, still to be opened.
     nodes: Vec<u32>,
     /// Overlapping subtrees, one of them with a moved leaf.
     stack: Vec<[Place; 2]>,
+    /// Places of moved leaves.
+    leaves: Vec<Place>,
 }
 
 impl PairFinder {
     pub fn byte_count(&self) -> usize {
-        self.nodes.capacity() * size_of::<u32>() + self.stack.capacity() * size_of::<[Place; 2]>()
+        (self.nodes.capacity() + self.leaves.capacity()) * size_of::<u32>()
+            + self.stack.capacity() * size_of::<[Place; 2]>()
+    }
+
+    /// Appends the pairs of each leaf of `from` that is marked as moved with the leaves of `tree`. Two moved leaves
+    /// see each other twice and are reported by the lower one.
+    pub fn each(&mut self, from: &Tree, tree: &Tree, out: &mut Vec<[u32; 2]>) {
+        let root = tree.child_at(ROOT);
+        self.list_moved(from);
+        for &place in &self.leaves {
+            let (proxy, aabb) = (from.child_at(place) ^ LEAF, from.box_at(place));
+            let mut meet = |other: u32, marks: u32| {
+                if marks & MOVED == 0 || proxy < other {
+                    out.push([proxy.min(other), proxy.max(other)]);
+                }
+            };
+            if root & LEAF == 0 {
+                self.nodes.push(root);
+            } else if root != NOTHING && overlap(&tree.bounds(), &aabb) {
+                meet(root ^ LEAF, tree.marks_at(ROOT));
+            }
+            while let Some(node) = self.nodes.pop() {
+                let n = &tree.nodes[node as usize];
+                for slot in [0, 1] {
+                    if !overlap(&n.boxes[slot], &aabb) {
+                        continue;
+                    }
+                    match n.children[slot] {
+                        child if child & LEAF == 0 => self.nodes.push(child),
+                        leaf => meet(leaf ^ LEAF, n.marks >> slot),
+                    }
+                }
+            }
+        }
+    }
+
+    /// Lists the moved leaves in the order of the tree, so that neighbours follow each other and find in the
+    /// cache what the last one read.
+    fn list_moved(&mut self, tree: &Tree) {
+        self.leaves.clear();
+        if tree.marks_at(ROOT) & MOVED != 0 {
+            self.nodes.push(ROOT);
+        }
+        while let Some(place) = self.nodes.pop() {
+            let child = tree.child_at(place);
+            if child & LEAF != 0 {
+                self.leaves.push(place);
+                continue;
+            }
+            for below in [child << 1 | 1, child << 1] {
+                if tree.marks_at(below) & MOVED != 0 {
+                    self.nodes.push(below);
+                }
+            }
+        }
     }
 
     /// Appends the pairs within `tree` of which one leaf at least is marked as moved, each once.
@@ -22,7 +79,6 @@ impl PairFinder {
         if tree.marks_at(ROOT) & MOVED == 0 || root & LEAF != 0 {
             return;
         }
-        self.nodes.clear();
         self.nodes.push(root);
         while let Some(node) = self.nodes.pop() {
             let n = &tree.nodes[node as usize];
@@ -69,7 +125,7 @@ impl PairFinder {
     fn open_left(&mut self, a: &Tree, node: u32, b: &Tree, q: Place) {
         let (n, aabb, marks) = (&a.nodes[node as usize], b.box_at(q), b.marks_at(q));
         for slot in [1, 0] {
-            if (n.marks >> slot | marks) & MOVED != 0 && n.boxes[slot].overlaps(&aabb) {
+            if (n.marks >> slot | marks) & MOVED != 0 && overlap(&n.boxes[slot], &aabb) {
                 self.stack.push([node << 1 | slot as u32, q]);
             }
         }
@@ -79,7 +135,7 @@ impl PairFinder {
     fn open_right(&mut self, a: &Tree, p: Place, b: &Tree, node: u32) {
         let (n, aabb, marks) = (&b.nodes[node as usize], a.box_at(p), a.marks_at(p));
         for slot in [1, 0] {
-            if (n.marks >> slot | marks) & MOVED != 0 && n.boxes[slot].overlaps(&aabb) {
+            if (n.marks >> slot | marks) & MOVED != 0 && overlap(&n.boxes[slot], &aabb) {
                 self.stack.push([p, node << 1 | slot as u32]);
             }
         }

@@ -1,7 +1,7 @@
 //! Questions to one tree: what overlaps a box, what does a moving box meet.
 
 use super::super::slab::Sweep;
-use super::{Child, LEAF, NOTHING, ROOT, Tree};
+use super::{Child, LEAF, NOTHING, ROOT, Tree, overlap};
 use crate::math::{Aabb, Float};
 
 impl Tree {
@@ -20,7 +20,7 @@ impl Tree {
             }
             let node = &self.nodes[child as usize];
             for slot in [1, 0] {
-                if node.boxes[slot].overlaps(aabb) {
+                if overlap(&node.boxes[slot], aabb) {
                     stack.push(node.children[slot]);
                 }
             }

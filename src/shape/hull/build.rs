@@ -4,6 +4,7 @@ use super::{Hull, HullFace, MAX_HULL_VERTICES, merge, quick};
 use crate::error::{Error, ErrorCode, Result, check};
 use crate::math::tolerance::{EPSILON, HULL_FLATNESS, MIN_SIZE};
 use crate::math::{Float, Mat3, Vec3, vec3};
+use crate::shape::core::first_greatest;
 use crate::shape::ray::{Wide, narrow, wide};
 use crate::shape::{Edge, Polytope, degenerate};
 
@@ -26,7 +27,9 @@ impl Hull {
     /// As [`Hull::new`]; also a `max_vertices` out of range.
     pub fn with_max_vertices(points: &[Vec3], max_vertices: usize) -> Result<Self> {
         if !(4..=MAX_HULL_VERTICES).contains(&max_vertices) {
-            let sentence = format!("A hull of at most {max_vertices} vertices was asked for; the limit must lie between 4 and {MAX_HULL_VERTICES}.");
+            let sentence = format!(
+                "A hull of at most {max_vertices} vertices was asked for; the limit must lie between 4 and {MAX_HULL_VERTICES}."
+            );
             return Err(Error::new(ErrorCode::Range, sentence));
         }
         if points.len() < 4 {
@@ -150,7 +153,8 @@ fn tables(input: &[Vec3], loops: &[Vec<u32>]) -> Hull {
     for (k, extreme) in hull.extremes.iter_mut().enumerate() {
         let mut d = Vec3::zeros();
         d[k / 2] = if k % 2 == 1 { 1.0 } else { -1.0 };
-        *extreme = crate::shape::core::farthest(&hull.vertices, d) as u8;
+        let vertices = &hull.vertices;
+        *extreme = first_greatest(vertices.len(), |i| vertices[i].dot(&d)) as u8;
     }
     fill_mass(&mut hull);
     hull
@@ -219,7 +223,9 @@ fn fill_mass(hull: &mut Hull) {
     let inertia = nalgebra::Matrix3::identity() * about_center.trace() - about_center;
     hull.volume = volume as Float;
     hull.center = narrow(middle + center);
-    let column = |k: usize| -> Vec3 { vec3(inertia[(0, k)] as Float, inertia[(1, k)] as Float, inertia[(2, k)] as Float) };
+    let column = |k: usize| -> Vec3 {
+        vec3(inertia[(0, k)] as Float, inertia[(1, k)] as Float, inertia[(2, k)] as Float)
+    };
     hull.unit_inertia = Mat3::from_columns(&[column(0), column(1), column(2)]);
     let least = (0..hull.faces.len())
         .map(|f| {

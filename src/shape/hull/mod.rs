@@ -9,8 +9,8 @@ mod quick;
 #[cfg(test)]
 mod tests;
 
-use super::core::farthest;
-use super::{Edge, MassData, Polytope, RayHit, ray};
+use super::core::first_greatest;
+use super::{CorePoints, Edge, MassData, Polytope, RayHit, ray};
 use crate::math::{Aabb, Float, Mat3, Pose, Vec3, length_squared, max, min, rotation_matrix};
 
 /// The most vertices a hull has: indices are bytes.
@@ -178,19 +178,30 @@ impl Hull {
         RayHit::at(origin, translation, t.0.max(0.0), max_fraction, |_| normal)
     }
 
-    /// Climbs from vertex to better neighbour. On a convex body a local best is the best, up to rounding.
-    fn climb(&self, d: Vec3) -> usize {
+    /// The vertex of greatest `height`, which must be linear in the vertex and grow along about `d`.
+    #[inline]
+    pub(crate) fn support_by<T: PartialOrd>(&self, d: Vec3, height: impl Fn(usize) -> T) -> usize {
+        if self.vertices.len() <= SCAN {
+            return first_greatest(self.vertices.len(), height);
+        }
+        // Climb from vertex to better neighbour: on a convex body a local best is the best, up to rounding.
         let a = crate::math::abs(d);
-        let k = if a.x >= a.y && a.x >= a.z { 0 } else if a.y >= a.z { 1 } else { 2 };
+        let k = if a.x >= a.y && a.x >= a.z {
+            0
+        } else if a.y >= a.z {
+            1
+        } else {
+            2
+        };
         let mut best = self.extremes[2 * k + usize::from(d[k] >= 0.0)] as usize;
-        let mut height = self.vertices[best].dot(&d);
+        let mut top = height(best);
         loop {
             let here = best;
             let (first, end) = (self.neighbor_start[here] as usize, self.neighbor_start[here + 1] as usize);
             for &n in &self.neighbors[first..end] {
-                let h = self.vertices[n as usize].dot(&d);
-                if h > height {
-                    (best, height) = (n as usize, h);
+                let h = height(n as usize);
+                if h > top {
+                    (best, top) = (n as usize, h);
                 }
             }
             if best == here {
@@ -244,7 +255,7 @@ impl Polytope for Hull {
 
     #[inline]
     fn support(&self, d: Vec3) -> usize {
-        if self.vertices.len() <= SCAN { farthest(&self.vertices, d) } else { self.climb(d) }
+        self.support_by(d, |i| self.vertices[i].dot(&d))
     }
 
     #[inline]
@@ -267,5 +278,10 @@ impl Polytope for Hull {
     #[inline(always)]
     fn inner_radius(&self) -> Float {
         self.inner_radius
+    }
+
+    #[inline(always)]
+    fn core_points(&self) -> CorePoints<'_> {
+        CorePoints::Hull(self)
     }
 }

@@ -76,7 +76,8 @@ pub(super) fn triangles(points: &[Wide], seed: [u32; 4], flat: f64, max_vertices
     while vertices < max_vertices {
         let best = (0..hull.len()).filter(|&i| hull[i].alive && hull[i].farthest.0 > flat);
         // The first of equals: `max_by` would take the last.
-        let Some(start) = best.reduce(|a, b| if hull[b].farthest.0 > hull[a].farthest.0 { b } else { a }) else {
+        let Some(start) = best.reduce(|a, b| if hull[b].farthest.0 > hull[a].farthest.0 { b } else { a })
+        else {
             break;
         };
         let eye = hull[start].farthest.1;
@@ -123,7 +124,8 @@ fn tetrahedron(points: &[Wide], [a, b, c, d]: [u32; 4]) -> Vec<Triangle> {
     let up = (p(b) - p(a)).cross(&(p(c) - p(a))).dot(&(p(d) - p(a)));
     let (b, c) = if up > 0.0 { (c, b) } else { (b, c) };
     // Seen from d the triangle a b c turns clockwise: it looks away from d.
-    let faces = [([a, b, c], [1, 2, 3]), ([b, a, d], [0, 3, 2]), ([c, b, d], [0, 1, 3]), ([a, c, d], [0, 2, 1])];
+    let faces =
+        [([a, b, c], [1, 2, 3]), ([b, a, d], [0, 3, 2]), ([c, b, d], [0, 1, 3]), ([a, c, d], [0, 2, 1])];
     faces
         .into_iter()
         .map(|(v, across)| {

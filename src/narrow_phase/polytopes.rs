@@ -1,0 +1,192 @@
+//! Two solids with flat faces: find the axis, then clip the faces that meet along it.
+
+use super::analytic::closest_of_segments;
+use super::contact::{Manifold, feature};
+use super::frame::Frame;
+use super::gjk::{Pair, Status};
+use super::sat::{best_edges, best_face, edge_gap, face_gap};
+use super::{Cache, CachedAxis, clip, epa};
+use crate::math::tolerance::{DEPTH_PREFERENCE, EDGE_PREFERENCE, FACE_PREFERENCE};
+use crate::math::{Float, Pose, Vec3};
+use crate::shape::{Polytope, narrow, wide};
+
+/// Above this many pairs of edges GJK is faster than trying them all.
+const MOST_EDGE_PAIRS: usize = 1500;
+
+/// The number of a point that no pair of features made.
+pub(super) const FREE: u32 = feature::sliver(0x7fff, 0x7fff);
+
+pub(super) fn collide<P: Polytope, Q: Polytope>(
+    p: &P,
+    q: &Q,
+    pose: &Pose,
+    margin: Float,
+    gjk: bool,
+    cache: &mut Cache,
+    out: &mut Manifold,
+) {
+    if gjk || p.edge_count() * q.edge_count() > MOST_EDGE_PAIRS {
+        by_gjk(p, q, pose, margin, cache, out);
+    } else {
+        by_sat(p, q, pose, margin, cache, out);
+    }
+}
+
+/// By how much face B must beat face A, and an edge axis the better face.
+pub(super) fn preferences(inner_a: Float, inner_b: Float, gap: Float) -> (Float, Float) {
+    let (size, depth) = (inner_a.min(inner_b), DEPTH_PREFERENCE * gap.abs());
+    (FACE_PREFERENCE * size + depth, EDGE_PREFERENCE * size + depth)
+}
+
+fn by_sat<P: Polytope, Q: Polytope>(
+    p: &P,
+    q: &Q,
+    pose: &Pose,
+    margin: Float,
+    cache: &mut Cache,
+    out: &mut Manifold,
+) {
+    let frame = Frame::new(pose);
+    let back = frame.inverse();
+    if cached_gap(p, q, &frame, &back, cache.axis).is_some_and(|gap| gap > margin) {
+        return;
+    }
+    let (gap_a, face_a) = best_face(p, q, &frame, margin);
+    cache.axis = CachedAxis::FaceA(face_a as u16);
+    if gap_a > margin {
+        return;
+    }
+    let (gap_b, face_b) = best_face(q, p, &back, margin);
+    if gap_b > margin {
+        cache.axis = CachedAxis::FaceB(face_b as u16);
+        return;
+    }
+    let (face_preference, edge_preference) =
+        preferences(p.inner_radius(), q.inner_radius(), gap_a.max(gap_b));
+    let b_is_reference = gap_b > gap_a + face_preference;
+    let face_gap = if b_is_reference { gap_b } else { gap_a };
+    if let Some(edges) = best_edges(p, q, &frame, margin)
+        && edges.gap > face_gap + edge_preference
+    {
+        cache.axis = CachedAxis::Edges(edges.a as u16, edges.b as u16);
+        if edges.gap <= margin {
+            out.normal = edges.normal;
+            let point = between_edges(p, q, &frame, edges.a, edges.b);
+            out.push(point, edges.gap, feature::edges(edges.a, edges.b));
+        }
+        return;
+    }
+    if b_is_reference {
+        cache.axis = CachedAxis::FaceB(face_b as u16);
+    }
+    from_face(p, q, pose, &frame, &back, if b_is_reference { Err(face_b) } else { Ok(face_a) }, margin, out);
+    // The faces may pass each other sideways: a corner near a corner. Then the distance decides.
+    if out.count == 0 {
+        by_gjk(p, q, pose, margin, cache, out);
+    }
+}
+
+/// The gap along a remembered axis; `None` where it no longer is one.
+fn cached_gap<P: Polytope, Q: Polytope>(
+    p: &P,
+    q: &Q,
+    frame: &Frame,
+    back: &Frame,
+    axis: CachedAxis,
+) -> Option<Float> {
+    match axis {
+        CachedAxis::FaceA(i) => ((i as usize) < p.face_count()).then(|| face_gap(p, q, frame, i as usize)),
+        CachedAxis::FaceB(i) => ((i as usize) < q.face_count()).then(|| face_gap(q, p, back, i as usize)),
+        CachedAxis::Edges(i, j) if (i as usize) < p.edge_count() && (j as usize) < q.edge_count() => {
+            let ([on_a, end_a], [on_b, end_b]) = (ends(p, i as usize), ends(q, j as usize));
+            let (n, _) =
+                edge_gap(on_a, end_a - on_a, frame.point(on_b), frame.vector(end_b - on_b), p.center())?;
+            // The edges may no longer face each other: measure the whole solids.
+            let low = frame.point(q.vertex(q.support(-frame.vector_back(n))));
+            Some(n.dot(&low) - n.dot(&p.vertex(p.support(n))))
+        }
+        _ => None,
+    }
+}
+
+fn ends<P: Polytope>(p: &P, edge: usize) -> [Vec3; 2] {
+    p.edge(edge).v.map(|v| p.vertex(v as usize))
+}
+
+/// The middle between the closest points of two edges.
+fn between_edges<P: Polytope, Q: Polytope>(p: &P, q: &Q, frame: &Frame, a: usize, b: usize) -> Vec3 {
+    let (ea, eb) = (ends(p, a), ends(q, b).map(|v| frame.point(v)));
+    let (s, t) = closest_of_segments(ea, eb);
+    (ea[0] + (ea[1] - ea[0]) * s + eb[0] + (eb[1] - eb[0]) * t) * 0.5
+}
+
+/// Clips against a face of A (`Ok`) or of B (`Err`).
+#[allow(clippy::too_many_arguments)]
+fn from_face<P: Polytope, Q: Polytope>(
+    p: &P,
+    q: &Q,
+    pose: &Pose,
+    frame: &Frame,
+    back: &Frame,
+    face: std::result::Result<usize, usize>,
+    margin: Float,
+    out: &mut Manifold,
+) {
+    match face {
+        Ok(face) => clip::faces(p, q, frame, face, margin, out),
+        Err(face) => {
+            clip::faces(q, p, back, face, margin, out);
+            out.mirror(pose);
+        }
+    }
+}
+
+/// The normal from GJK, or from EPA where the solids overlap; the points from the faces along it.
+pub(super) fn by_gjk<P: Polytope, Q: Polytope>(
+    p: &P,
+    q: &Q,
+    pose: &Pose,
+    margin: Float,
+    cache: &mut Cache,
+    out: &mut Manifold,
+) {
+    let pair = Pair::new(p.core_points(), q.core_points(), pose);
+    let remembered = match cache.axis {
+        CachedAxis::FaceA(i) if (i as usize) < p.face_count() => Some(p.plane(i as usize).0),
+        CachedAxis::FaceB(i) if (i as usize) < q.face_count() => Some(-pose.vector(q.plane(i as usize).0)),
+        _ => None,
+    };
+    if remembered.is_some_and(|n| pair.gap_along(wide(n)) as Float > margin) {
+        return;
+    }
+    let close = pair.distance(margin.max(0.0));
+    let (n, gap, on_a, on_b) = match close.status {
+        Status::Overlapping => {
+            let d = epa::depth(&pair, &close.simplex);
+            (d.normal, -d.depth, d.a, d.b)
+        }
+        _ => (close.normal, close.distance, close.a, close.b),
+    };
+    let (frame, normal) = (Frame::new(pose), narrow(n));
+    let (face_a, face_b) = (p.face_along(normal), q.face_along(-frame.vector_back(normal)));
+    cache.axis = CachedAxis::FaceA(face_a as u16);
+    if close.status == Status::Beyond || gap as Float > margin {
+        return;
+    }
+    let gap = gap as Float;
+    let back = frame.inverse();
+    let (gap_a, gap_b) = (face_gap(p, q, &frame, face_a), face_gap(q, p, &back, face_b));
+    let (face_preference, edge_preference) = preferences(p.inner_radius(), q.inner_radius(), gap);
+    let b_is_reference = gap_b > gap_a + face_preference;
+    if b_is_reference {
+        cache.axis = CachedAxis::FaceB(face_b as u16);
+    }
+    if gap_a.max(gap_b) >= gap - edge_preference {
+        let face = if b_is_reference { Err(face_b) } else { Ok(face_a) };
+        from_face(p, q, pose, &frame, &back, face, margin, out);
+    }
+    if out.count == 0 {
+        out.normal = normal;
+        out.push(narrow((on_a + on_b) * 0.5), gap, FREE);
+    }
+}

@@ -1,0 +1,154 @@
+//! Distance and overlap of two shapes, without a world.
+
+use super::gjk::Pair;
+pub use super::gjk::Status as DistanceStatus;
+use crate::error::{Error, ErrorCode, Result, check};
+use crate::math::{Float, Pose, Vec3};
+use crate::shape::{Core, CorePoints, HalfSpace, Shape, narrow};
+
+/// How far two shapes are apart, in the frame of A.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DistanceResult {
+    /// The distance \[m\]; 0 where they touch or overlap.
+    pub distance: Float,
+    /// The point of A closest to B \[m\]. Where they overlap, a common point.
+    pub point_a: Vec3,
+    /// The point of B closest to A \[m\]. Where they overlap, the same point.
+    pub point_b: Vec3,
+    /// The unit vector from A to B; zero where the cores overlap (see [`Core`]).
+    pub normal: Vec3,
+    /// How the search ended.
+    pub status: DistanceStatus,
+    /// How many iterations it took.
+    pub iterations: u32,
+}
+
+/// A convex solid given by a few points and a radius: all points within `radius` of their hull.
+#[derive(Clone, Copy, Debug)]
+pub struct Proxy<'a> {
+    core: Core<'a>,
+}
+
+/// The most points of a [`Proxy`].
+pub const MAX_PROXY_POINTS: usize = 64;
+
+impl<'a> Proxy<'a> {
+    /// A proxy with these points and this radius (≥ 0) \[m\].
+    ///
+    /// # Errors
+    /// No point, more than [`MAX_PROXY_POINTS`], or a number not finite or out of range.
+    pub fn new(points: &'a [Vec3], radius: Float) -> Result<Self> {
+        if !(1..=MAX_PROXY_POINTS).contains(&points.len()) {
+            let sentence = format!("A proxy has 1 to {MAX_PROXY_POINTS} points, not {}.", points.len());
+            return Err(Error::new(ErrorCode::Range, sentence));
+        }
+        for p in points {
+            check::point("A point of the proxy", *p)?;
+        }
+        let radius =
+            check::within("The proxy's radius", radius, 0.0, crate::math::tolerance::MAX_COORDINATE)?;
+        Ok(Self { core: Core { points: CorePoints::Cloud(points), radius } })
+    }
+
+    pub(super) fn core(&self) -> &Core<'a> {
+        &self.core
+    }
+}
+
+/// The distance between A and B. Two half-spaces count as overlapping.
+#[must_use]
+pub fn distance(a: &Shape, b: &Shape, a_from_b: &Pose) -> DistanceResult {
+    match (a, b) {
+        (Shape::HalfSpace(_), Shape::HalfSpace(_)) => overlapping(Vec3::zeros()),
+        (Shape::HalfSpace(h), _) => above_half_space(h, b, a_from_b),
+        (_, Shape::HalfSpace(h)) => {
+            let d = above_half_space(h, a, &a_from_b.inverse());
+            DistanceResult {
+                point_a: a_from_b.point(d.point_b),
+                point_b: a_from_b.point(d.point_a),
+                normal: -a_from_b.vector(d.normal),
+                ..d
+            }
+        }
+        _ => distance_cores(&core(a), &core(b), a_from_b),
+    }
+}
+
+/// The distance between two proxies.
+#[must_use]
+pub fn distance_proxy(a: &Proxy, b: &Proxy, a_from_b: &Pose) -> DistanceResult {
+    distance_cores(&a.core, &b.core, a_from_b)
+}
+
+/// Whether A and B have a point in common; cheaper than the distance. Two half-spaces count as overlapping.
+#[must_use]
+pub fn overlap(a: &Shape, b: &Shape, a_from_b: &Pose) -> bool {
+    let (Some(ca), Some(cb)) = (a.core(), b.core()) else {
+        return distance(a, b, a_from_b).distance <= 0.0;
+    };
+    let reach = ca.radius + cb.radius;
+    let close = Pair::new(ca.points, cb.points, a_from_b).distance(reach);
+    match close.status {
+        DistanceStatus::Beyond => false,
+        DistanceStatus::Overlapping => true,
+        _ => close.distance as Float <= reach,
+    }
+}
+
+/// The core of a bounded shape.
+pub(super) fn core(shape: &Shape) -> Core<'_> {
+    shape.core().expect("half-spaces are handled before")
+}
+
+fn overlapping(point: Vec3) -> DistanceResult {
+    DistanceResult {
+        distance: 0.0,
+        point_a: point,
+        point_b: point,
+        normal: Vec3::zeros(),
+        status: DistanceStatus::Overlapping,
+        iterations: 0,
+    }
+}
+
+fn distance_cores(a: &Core, b: &Core, pose: &Pose) -> DistanceResult {
+    let close = Pair::new(a.points, b.points, pose).distance(Float::MAX);
+    let (ra, rb) = (a.radius as f64, b.radius as f64);
+    let (on_a, on_b) = (close.a + close.normal * ra, close.b - close.normal * rb);
+    let gap = (close.distance - ra - rb) as Float;
+    // Where only the rounded parts overlap, the point that shares the way between the cores by the radii is in both.
+    let share = if ra + rb > 0.0 { ra / (ra + rb) } else { 0.0 };
+    let middle = close.a + close.normal * (close.distance * share);
+    let apart = gap > 0.0;
+    DistanceResult {
+        distance: gap.max(0.0),
+        point_a: narrow(if apart { on_a } else { middle }),
+        point_b: narrow(if apart { on_b } else { middle }),
+        normal: narrow(close.normal),
+        status: if apart { close.status } else { DistanceStatus::Overlapping },
+        iterations: close.iterations,
+    }
+}
+
+/// The lowest point of a bounded shape above a half-space, in the frame of the half-space.
+pub(super) fn lowest(h: &HalfSpace, b: &Core, pose: &Pose) -> Vec3 {
+    let down = pose.vector_back(-h.normal());
+    let p = b.points.point(b.points.support(&crate::shape::wide(down)));
+    pose.point(p + down * b.radius)
+}
+
+fn above_half_space(h: &HalfSpace, b: &Shape, pose: &Pose) -> DistanceResult {
+    let p = lowest(h, &core(b), pose);
+    let height = h.height(p);
+    if height <= 0.0 {
+        return DistanceResult { normal: h.normal(), ..overlapping(p) };
+    }
+    DistanceResult {
+        distance: height,
+        point_a: p - h.normal() * height,
+        point_b: p,
+        normal: h.normal(),
+        status: DistanceStatus::Converged,
+        iterations: 0,
+    }
+}

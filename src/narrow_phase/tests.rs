@@ -1,0 +1,403 @@
+//! Every pair of shapes against certificates that do not trust the code under test: a normal is checked by the
+//! support functions of both shapes, a distance by its two witnesses together with the plane between them.
+
+use super::gjk::Pair;
+use super::*;
+use crate::math::tolerance::{DEPTH_PREFERENCE, EDGE_PREFERENCE, EPSILON};
+use crate::math::{Vec3, length, quat_about, vec3};
+use crate::shape::testing::Random;
+use crate::shape::wide;
+
+const KINDS: [NarrowPhaseKind; 2] = [NarrowPhaseKind::Specialised, NarrowPhaseKind::GjkEpa];
+
+/// Room for rounding in shapes of size about 1.
+const TIGHT: Float = 40.0 * EPSILON;
+
+fn run(a: &Shape, b: &Shape, pose: &Pose, margin: Float, kind: NarrowPhaseKind) -> Manifold {
+    let mut m = Manifold::default();
+    collide(a, b, pose, margin, kind, &mut Cache::default(), &mut m);
+    m
+}
+
+/// The gap between bounded shapes along the unit normal `n`, by their support functions, in double.
+fn gap_along(a: &Shape, b: &Shape, pose: &Pose, n: Vec3) -> Float {
+    let (ca, cb) = (a.core().unwrap(), b.core().unwrap());
+    let n = wide(n) / wide(n).norm();
+    (Pair::new(ca.points, cb.points, pose).gap_along(n) - (ca.radius + cb.radius) as f64) as Float
+}
+
+/// A pair of bounded shapes with a gap of about −0.5 … 0.3 along a random direction.
+fn pair(random: &mut Random, i: usize, j: usize) -> (Shape, Shape, Pose) {
+    let (a, b) = (random.shape(i), random.shape(j));
+    let mut pose = Pose::new(Vec3::zeros(), random.rotation());
+    let n = random.unit();
+    let want = match random.below(4) {
+        0 => random.within(-0.01, 0.01),
+        1 => 0.0,
+        _ => random.within(-0.5, 0.3),
+    };
+    pose.p = n * (want - gap_along(&a, &b, &pose, n));
+    (a, b, pose)
+}
+
+fn check_points(a: &Shape, b: &Shape, pose: &Pose, m: &Manifold, margin: Float) {
+    assert!((length(m.normal) - 1.0).abs() < 1e-5, "normal {}", m.normal);
+    let gap = gap_along(a, b, pose, m.normal);
+    for p in m.points() {
+        assert!(p.separation <= margin);
+        assert!(
+            p.separation >= gap - TIGHT,
+            "{} below the gap {gap} {m:?} {a:?} {b:?} {pose:?}",
+            p.separation
+        );
+        let half = m.normal * (0.5 * p.separation);
+        let (on_a, on_b) = (p.point - half, pose.point_back(p.point + half));
+        let (off_a, off_b) = (length(a.closest_point(on_a) - on_a), length(b.closest_point(on_b) - on_b));
+        let off = 2e-3 + 0.05 * p.separation.abs();
+        assert!(
+            off_a < off && off_b < off,
+            "point off A by {off_a}, off B by {off_b}: {m:?} {gap} {a:?} {b:?}"
+        );
+    }
+    let mut ids: Vec<_> = m.points().iter().map(|p| p.feature).collect();
+    ids.sort_unstable();
+    ids.dedup();
+    assert_eq!(ids.len(), m.count, "feature numbers are unique");
+}
+
+fn each_pair(seed: u64, rounds: usize, mut f: impl FnMut(&Shape, &Shape, &Pose, &mut Random)) {
+    let mut random = Random(seed);
+    for i in 0..4 {
+        for j in 0..4 {
+            for _ in 0..rounds {
+                let (a, b, pose) = pair(&mut random, i, j);
+                f(&a, &b, &pose, &mut random);
+            }
+        }
+    }
+}
+
+#[test]
+fn distances_are_certified_by_a_plane() {
+    let (mut worst, mut total, mut runs) = (0, 0, 0);
+    each_pair(21, 2000, |a, b, pose, _| {
+        let d = distance(a, b, pose);
+        worst = worst.max(d.iterations);
+        total += d.iterations;
+        runs += 1;
+        assert_eq!(overlap(a, b, pose), d.distance <= 0.0 || d.distance < TIGHT && overlap(a, b, pose));
+        if d.distance > 0.0 {
+            assert!((length(d.point_b - d.point_a) - d.distance).abs() < TIGHT);
+            assert!((gap_along(a, b, pose, d.normal) - d.distance).abs() < TIGHT);
+            assert!(length(a.closest_point(d.point_a) - d.point_a) < TIGHT);
+            let in_b = pose.point_back(d.point_b);
+            assert!(length(b.closest_point(in_b) - in_b) < TIGHT);
+        } else {
+            // A common point proves the overlap.
+            let in_b = pose.point_back(d.point_a);
+            assert!(length(a.closest_point(d.point_a) - d.point_a) < TIGHT, "{a:?} {b:?} {pose:?} {d:?}");
+            assert!(
+                length(b.closest_point(in_b) - in_b) < TIGHT,
+                "{} {a:?} {b:?} {pose:?} {d:?}",
+                length(b.closest_point(in_b) - in_b)
+            );
+        }
+    });
+    assert!(worst < 30, "{worst} iterations, mean {}", total as Float / runs as Float);
+}
+
+#[test]
+fn manifolds_keep_their_promises() {
+    each_pair(22, 2000, |a, b, pose, random| {
+        let margin = if random.below(2) == 0 { 0.0 } else { 0.05 };
+        let inner = a.inner_radius().min(b.inner_radius());
+        let d = distance(a, b, pose);
+        for kind in KINDS {
+            let m = run(a, b, pose, margin, kind);
+            if m.count == 0 {
+                assert!(d.distance > margin - TIGHT, "{kind:?} {a:?} {b:?} {pose:?} missed: {d:?}");
+                continue;
+            }
+            check_points(a, b, pose, &m, margin);
+            // No direction parts the shapes clearly better than the normal.
+            let gap = gap_along(a, b, pose, m.normal);
+            let slack = 2.0 * EDGE_PREFERENCE * inner + (2.0 * DEPTH_PREFERENCE + 0.001) * gap.abs() + TIGHT;
+            if d.distance <= 0.0 {
+                for _ in 0..50 {
+                    let other = gap_along(a, b, pose, random.unit());
+                    assert!(other <= gap + slack, "{kind:?} {a:?} {b:?} {pose:?}: {gap}, but {other}");
+                }
+            }
+            // The deepest place is in the manifold.
+            let least = m.points().iter().map(|p| p.separation).fold(Float::MAX, Float::min);
+            assert!(
+                least <= gap + 0.02 * gap.abs() + 0.2,
+                "{kind:?} {a:?} {b:?} {pose:?}: {least} against {gap}"
+            );
+        }
+    });
+}
+
+#[test]
+fn both_ways_to_the_normal_find_the_same_depth() {
+    each_pair(23, 1000, |a, b, pose, _| {
+        let inner = a.inner_radius().min(b.inner_radius());
+        let [m, n] = KINDS.map(|kind| run(a, b, pose, 0.0, kind));
+        if m.count > 0 && n.count > 0 {
+            let (g, h) = (gap_along(a, b, pose, m.normal), gap_along(a, b, pose, n.normal));
+            let slack = 2.0 * EDGE_PREFERENCE * inner + 2.5 * DEPTH_PREFERENCE * g.abs() + TIGHT;
+            assert!((g - h).abs() <= slack, "{a:?} {b:?} {pose:?}: {g} {h} {m:?} {n:?}");
+        } else {
+            assert!(m.count == n.count || distance(a, b, pose).distance < TIGHT, "{m:?} {n:?}");
+        }
+    });
+}
+
+#[test]
+fn swapping_the_shapes_mirrors_the_manifold() {
+    let mut compared = 0;
+    each_pair(24, 1000, |a, b, pose, _| {
+        let m = run(a, b, pose, 0.02, NarrowPhaseKind::Auto);
+        let mut n = run(b, a, &pose.inverse(), 0.02, NarrowPhaseKind::Auto);
+        n.mirror(pose);
+        // Where two axes tie, either may be taken; then the depths tie too.
+        if m.count > 0 && n.count > 0 {
+            let (g, h) = (gap_along(a, b, pose, m.normal), gap_along(a, b, pose, n.normal));
+            assert!((g - h).abs() < 2e-3 + 0.05 * g.abs());
+            if length(m.normal - n.normal) < 1e-4 && m.count == n.count {
+                for p in m.points() {
+                    if let Some(q) = n.points().iter().find(|q| q.feature == p.feature) {
+                        compared += 1;
+                        assert!(length(p.point - q.point) < 2e-3, "{p:?} {q:?}");
+                        assert!((p.separation - q.separation).abs() < 1e-3);
+                    }
+                }
+            }
+        }
+    });
+    assert!(compared > 3_000, "{compared}");
+}
+
+#[test]
+fn a_cache_changes_nothing() {
+    each_pair(25, 300, |a, b, pose, random| {
+        let mut cache = Cache::default();
+        let mut out = Manifold::default();
+        let mut pose = *pose;
+        for _ in 0..5 {
+            pose.p += random.vec(0.02);
+            collide(a, b, &pose, 0.01, NarrowPhaseKind::Auto, &mut cache, &mut out);
+            let fresh = run(a, b, &pose, 0.01, NarrowPhaseKind::Auto);
+            assert_eq!((out.count, out.points()), (fresh.count, fresh.points()));
+        }
+    });
+    assert!(size_of::<Cache>() <= 16);
+}
+
+#[test]
+fn a_half_space_feels_every_shape() {
+    let mut random = Random(26);
+    for kind in 0..4 {
+        for _ in 0..500 {
+            let b = random.shape(kind);
+            let floor = Shape::half_space(random.unit(), random.within(-1.0, 1.0)).unwrap();
+            let Shape::HalfSpace(h) = &floor else { unreachable!() };
+            let pose = random.pose(1.5);
+            // The lowest point by the support function.
+            let core = b.core().unwrap();
+            let down = pose.vector_back(-h.normal());
+            let p = core.points.point(core.points.support(&wide(down)));
+            let height = h.height(pose.point(p)) - core.radius;
+            let m = run(&floor, &b, &pose, 0.1, NarrowPhaseKind::Auto);
+            assert_eq!(m.count > 0, height <= 0.1, "{height}");
+            if m.count > 0 {
+                let least = m.points().iter().map(|p| p.separation).fold(Float::MAX, Float::min);
+                assert!((least - height).abs() < 1e-3);
+                assert!(length(m.normal - h.normal()) < 1e-6);
+            }
+            let mut n = run(&b, &floor, &pose.inverse(), 0.1, NarrowPhaseKind::Auto);
+            n.mirror(&pose);
+            assert_eq!(m.count, n.count);
+            let d = distance(&floor, &b, &pose);
+            assert!((d.distance - height.max(0.0)).abs() < 1e-5);
+        }
+    }
+}
+
+#[test]
+fn four_points_carry_a_box_on_a_box_to_a_few_ulps() {
+    let mut random = Random(27);
+    let shapes =
+        [Shape::new_box(1.0, 1.0, 1.0), Shape::new_box(2.0, 0.002, 2.0), Shape::new_box(1.0, 3.0, 1.0)];
+    for a in &shapes {
+        for b in &shapes {
+            let (Shape::Box(ca), Shape::Box(cb)) = (a, b) else { unreachable!() };
+            let touch = ca.half().y + cb.half().y;
+            for _ in 0..200 {
+                let gap = random.within(-1e-4, 1e-4);
+                let yaw = if random.below(2) == 0 { 0.0 } else { random.within(-3.0, 3.0) };
+                let slide = vec3(random.within(-0.3, 0.3), touch + gap, random.within(-0.3, 0.3));
+                let pose = Pose::new(slide, quat_about(Vec3::y(), yaw));
+                for kind in KINDS {
+                    let m = run(a, b, &pose, 0.01, kind);
+                    assert_eq!(m.count, 4, "{kind:?} {a:?} {b:?} {pose:?}");
+                    assert!(length(m.normal - Vec3::y()) < 8.0 * EPSILON);
+                    for p in m.points() {
+                        let exact = pose.p.y - touch;
+                        assert!(
+                            (p.separation - exact).abs() <= 4.0 * EPSILON * touch.max(1.0),
+                            "{p:?} {exact}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn aligned_boxes_keep_their_numbers_while_they_jitter() {
+    let mut random = Random(28);
+    let a = Shape::new_box(1.0, 1.0, 1.0);
+    let ids = |pose: &Pose| {
+        let m = run(&a, &a, pose, 0.01, NarrowPhaseKind::Auto);
+        let mut ids: Vec<_> = m.points().iter().map(|p| p.feature).collect();
+        ids.sort_unstable();
+        ids
+    };
+    for yaw in [0.0, 0.7] {
+        let q = quat_about(Vec3::y(), yaw);
+        let first = ids(&Pose::new(vec3(0.0, 1.0, 0.0), q));
+        assert_eq!(first.len(), 4);
+        for _ in 0..1000 {
+            let jitter = crate::math::turn(&q, random.vec(1e-5));
+            let pose = Pose::new(vec3(0.0, 1.0, 0.0) + random.vec(1e-5), jitter);
+            assert_eq!(ids(&pose), first);
+        }
+    }
+}
+
+#[test]
+fn degenerate_placements_give_finite_unit_normals() {
+    let mut random = Random(29);
+    let mut shapes: Vec<_> = (0..4).map(|k| random.shape(k)).collect();
+    shapes.push(Shape::new_box(2.0, 2.0, 0.002));
+    shapes.push(Shape::new_box(1.0, 0.001, 0.001));
+    shapes.push(Shape::new_capsule(2.0, 0.002));
+    shapes.push(Shape::new_sphere(2.0));
+    shapes.push(Shape::new_box(1.0, 1.0, 1.0));
+    let corners: Vec<_> =
+        (0..8).map(|i| vec3((i & 1) as Float, (i >> 1 & 1) as Float, (i >> 2) as Float)).collect();
+    shapes.push(Shape::hull(&corners).unwrap());
+    let quarter = crate::math::scalar::PI * 0.5;
+    let turns = [0.0, 1.0, 0.5, 1e-3 / quarter, 1e-7 / quarter];
+    let places = [
+        Vec3::zeros(),
+        Vec3::x(),
+        Vec3::y(),
+        vec3(0.5, 0.5, 0.0),
+        vec3(1.0, 1.0, 1.0),
+        vec3(0.0, 1e-9, 0.0),
+        vec3(1e-20, 0.0, 0.0),
+    ];
+    for a in &shapes {
+        for b in &shapes {
+            for turn in turns {
+                for axis in [Vec3::x(), Vec3::y(), Vec3::z(), vec3(1.0, 1.0, 1.0)] {
+                    for p in places {
+                        let pose = Pose::new(p, quat_about(axis, turn * quarter));
+                        let d = distance(a, b, &pose);
+                        for kind in KINDS {
+                            let m = run(a, b, &pose, 0.01, kind);
+                            if d.distance <= 0.0 {
+                                assert!(m.count > 0, "{kind:?} {a:?} {b:?} {pose:?}");
+                            }
+                            if m.count > 0 {
+                                assert!((length(m.normal) - 1.0).abs() < 1e-5);
+                                check_points(a, b, &pose, &m, 0.01);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn capsules_lie_on_two_points() {
+    let floor = Shape::new_box(4.0, 1.0, 4.0);
+    let capsule = Shape::new_capsule(1.0, 0.5);
+    let lying = Pose::new(vec3(0.0, 0.75, 0.0), quat_about(Vec3::z(), crate::math::scalar::PI * 0.5));
+    for kind in KINDS {
+        for pose in [lying, Pose::new(vec3(1.9, 0.75, 0.0), lying.q)] {
+            assert_eq!(run(&floor, &capsule, &pose, 0.01, kind).count, 2, "{kind:?}");
+        }
+        // Side by side, and along an edge turned up.
+        let beside = Pose::translation(vec3(0.5, 0.3, 0.0));
+        assert_eq!(run(&capsule, &capsule, &beside, 0.01, kind).count, 2);
+        let bar = Shape::new_box(1.0, 4.0, 1.0);
+        let corner = Pose::translation(vec3(1.0, 0.0, 1.0) * (0.5 + 0.25 * (0.5 as Float).sqrt()));
+        assert_eq!(run(&bar, &capsule, &corner, 0.01, kind).count, 2);
+        // Crossed capsules touch in one point.
+        let crossed = Pose::new(vec3(0.5, 0.0, 0.0), quat_about(Vec3::x(), 1.0));
+        assert_eq!(run(&capsule, &capsule, &crossed, 0.01, kind).count, 1);
+    }
+}
+
+#[test]
+fn scaling_a_pair_scales_its_manifold() {
+    // Powers of two scale without rounding: the answer must scale to the bit.
+    let mut random = Random(30);
+    for _ in 0..2000 {
+        let half = vec3(random.within(0.3, 1.0), random.within(0.3, 1.0), random.within(0.3, 1.0));
+        let boxed = |k: Float| Shape::new_box(half.x * k, half.y * k, 2.0 * k);
+        let cloud = random.cloud(12, half);
+        let hull = |k: Float| Shape::hull(&cloud.iter().map(|p| p * k).collect::<Vec<_>>()).unwrap();
+        let pose = Pose::new(random.vec(1.0), random.rotation());
+        for k in [1.0 / 1024.0, 1024.0] {
+            let scaled = Pose::new(pose.p * k, pose.q);
+            for (a, b, ka, kb) in
+                [(boxed(1.0), boxed(1.0), boxed(k), boxed(k)), (boxed(1.0), hull(1.0), boxed(k), hull(k))]
+            {
+                let (m, n) = (
+                    run(&a, &b, &pose, 0.01, NarrowPhaseKind::Auto),
+                    run(&ka, &kb, &scaled, 0.01 * k, NarrowPhaseKind::Auto),
+                );
+                assert_eq!((m.count, m.count > 0 && m.normal != n.normal), (n.count, false));
+                for (p, q) in m.points().iter().zip(n.points()) {
+                    assert_eq!((p.separation * k, p.feature), (q.separation, q.feature));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn casts_arrive_where_the_shapes_touch() {
+    let mut hits = 0;
+    each_pair(31, 300, |a, b, pose, random| {
+        let from = Pose::new(pose.p + random.unit() * 5.0, pose.q);
+        let way = pose.p - from.p + random.vec(0.5);
+        let start = distance(a, b, &from).distance;
+        let Some(hit) = shape_cast(a, b, &from, way, 1.0) else {
+            // Nothing on the way is closer than touching.
+            for k in 0..=20 {
+                let there = Pose::new(from.p + way * (k as Float / 20.0), from.q);
+                assert!(distance(a, b, &there).distance > 0.0);
+            }
+            return;
+        };
+        let there = Pose::new(from.p + way * hit.fraction, from.q);
+        let d = distance(a, b, &there);
+        assert!(d.distance < 1e-5, "{d:?}");
+        if start > 0.0 {
+            hits += 1;
+            assert!((length(hit.normal) - 1.0).abs() < 1e-5 && hit.normal.dot(&way) < 0.0);
+            let before = Pose::new(from.p + way * (hit.fraction * 0.99), from.q);
+            assert!(distance(a, b, &before).distance > 0.0);
+            assert!(length(a.closest_point(hit.point) - hit.point) < 1e-4);
+        }
+    });
+    assert!(hits > 1500, "{hits}");
+}

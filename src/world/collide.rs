@@ -1,0 +1,300 @@
+//! Stages 2 to 4 of a step: boxes, pairs, contacts.
+
+use super::collider::clamped;
+use super::{BodyType, Collider, World};
+use crate::body::{NONE, SetId};
+use crate::constraint::{Contact, contact::flags};
+use crate::math::tolerance::{CONTACT_MARGIN, FAT_MARGIN};
+use crate::math::{Aabb, Float, Pose, Vec3, length, rotate, rotate_back};
+use crate::narrow_phase::{self, Manifold};
+
+/// Lists that a step fills and empties.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Scratch {
+    pub pairs: Vec<[u32; 2]>,
+    /// Contacts that become or cease to be constraints, and that end, in this step.
+    pub started: Vec<u32>,
+    pub stopped: Vec<u32>,
+    pub gone: Vec<u32>,
+    pub slow_time: Vec<Float>,
+    pub fell_asleep: Vec<u32>,
+    pub broken: Vec<u32>,
+}
+
+/// What the narrow phase needs to know of one side of a contact.
+struct Side<'a> {
+    collider: &'a Collider,
+    /// World from body rotation, and the shape's origin from the centre of mass, world axes.
+    q: crate::math::Quat,
+    arm: Vec3,
+    x: Vec3,
+    v: Vec3,
+    w: Vec3,
+    /// Bound of the way it can go in this step \[m\], relative motion aside.
+    spin_way: Float,
+    asleep: bool,
+    moving: bool,
+}
+
+impl World {
+    /// The box of a new collider; those of moving bodies get a margin.
+    pub(super) fn first_box(&self, collider: &Collider, origin: &Pose, body: usize) -> Aabb {
+        let tight = collider.aabb(origin);
+        match self.bodies.bodies[body].body_type {
+            BodyType::Static => tight,
+            _ => clamped(&tight.grown(FAT_MARGIN * collider.inner_radius)),
+        }
+    }
+
+    /// Stage 2: fits the fat boxes of awake bodies to where they may go in this step.
+    pub(super) fn update_bounds(&mut self, dt: Float) {
+        let gravity = length(self.def.gravity);
+        for row in 0..self.bodies.awake().len() {
+            let set = self.bodies.awake();
+            let origin = set.origin(row);
+            let (v, w) = (set.velocity(row), set.angular_velocity(row));
+            let kick = gravity * set.drive[row].gravity_scale.abs() * dt * dt;
+            let body = set.index[row] as usize;
+            for k in 0..self.bodies.bodies[body].shapes.len() {
+                let index = self.bodies.bodies[body].shapes[k];
+                let collider = &mut self.colliders[index as usize];
+                // Beyond the shape's own size margins would only make ghost contacts.
+                let limit = collider.inner_radius;
+                let way = v * dt;
+                let far = length(way);
+                let way = if far > limit { way * (limit / far) } else { way };
+                let turn = (length(w) * dt * collider.reach + kick).min(limit);
+                let needed = clamped(
+                    &collider.aabb(&origin).swept(way).grown(CONTACT_MARGIN * collider.inner_radius + turn),
+                );
+                if !collider.fat.contains(&needed) {
+                    collider.fat = clamped(&needed.grown(FAT_MARGIN * collider.inner_radius));
+                    self.broad_phase.update(index, &collider.fat);
+                    self.moved.push(index);
+                }
+            }
+        }
+    }
+
+    /// Stage 3: new pairs of boxes become contacts.
+    pub(super) fn find_pairs(&mut self) {
+        self.moved.sort_unstable();
+        self.moved.dedup();
+        let mut pairs = std::mem::take(&mut self.scratch.pairs);
+        pairs.clear();
+        if !self.moved.is_empty() {
+            self.broad_phase.find_pairs(&self.moved, &mut pairs);
+        }
+        self.moved.clear();
+        for &pair in &pairs {
+            if self.pairs.get(pair).is_none() && self.may_collide(pair) {
+                self.create_contact(pair);
+            }
+        }
+        self.scratch.pairs = pairs;
+    }
+
+    fn may_collide(&self, pair: [u32; 2]) -> bool {
+        let [a, b] = pair.map(|i| &self.colliders[i as usize]);
+        if a.body == b.body || !a.filter.collides(&b.filter) {
+            return false;
+        }
+        let dynamic = |c: &Collider| self.bodies.bodies[c.body as usize].body_type == BodyType::Dynamic;
+        if !dynamic(a) && !dynamic(b) {
+            return false;
+        }
+        match &self.callbacks.custom_filter {
+            Some(ask) if a.custom_filtering || b.custom_filtering => {
+                ask(self.shape_id(pair[0] as usize), self.shape_id(pair[1] as usize))
+            }
+            _ => true,
+        }
+    }
+
+    fn create_contact(&mut self, pair: [u32; 2]) {
+        let (index, _) = self.identity.contacts.allocate();
+        let [a, b] = pair.map(|i| &self.colliders[i as usize]);
+        let mut contact = Contact::new(pair, [a.body, b.body]);
+        contact.set(flags::EVENTS, a.contact_events || b.contact_events);
+        contact.set(flags::HIT_EVENTS, a.hit_events || b.hit_events);
+        contact.set(flags::PRE_SOLVE, a.pre_solve_events || b.pre_solve_events);
+        self.contacts.add(index, contact, &mut self.bodies.bodies);
+        self.pairs.insert(pair, index as u32);
+        let awake = self.deserves_attention(index);
+        self.contacts.set_awake(index, awake);
+    }
+
+    /// Stage 4: manifolds of all awake contacts; contacts whose boxes parted end.
+    pub(super) fn update_contacts(&mut self, dt: Float) {
+        let mut scratch = std::mem::take(&mut self.scratch);
+        scratch.started.clear();
+        scratch.stopped.clear();
+        scratch.gone.clear();
+        for k in 0..self.contacts.awake.len() {
+            let index = self.contacts.awake[k];
+            let mut contact = self.contacts.contacts[index as usize];
+            let [a, b] = contact.shape;
+            if !self.colliders[a as usize].fat.overlaps(&self.colliders[b as usize].fat) {
+                scratch.gone.push(index);
+                continue;
+            }
+            let was = contact.is(flags::CONSTRAINT);
+            self.update_contact(&mut contact, dt);
+            let is = contact.count > 0;
+            if is != was {
+                if is { scratch.started.push(index) } else { scratch.stopped.push(index) }
+            }
+            self.contacts.contacts[index as usize] = contact;
+        }
+        scratch.gone.sort_unstable();
+        scratch.stopped.sort_unstable();
+        scratch.started.sort_unstable();
+        for &index in &scratch.gone {
+            self.destroy_contact(index as usize, false);
+        }
+        self.scratch = scratch;
+    }
+
+    /// Stage 5: constraints that came and went change islands and colours.
+    pub(super) fn build_islands(&mut self) {
+        let scratch = std::mem::take(&mut self.scratch);
+        for &index in &scratch.stopped {
+            self.end_constraint(index as usize);
+        }
+        for &index in &scratch.started {
+            self.begin_constraint(index as usize);
+        }
+        self.scratch = scratch;
+    }
+
+    fn side(&self, shape: u32, dt: Float) -> Side<'_> {
+        let collider = &self.colliders[shape as usize];
+        let body = &self.bodies.bodies[collider.body as usize];
+        let (set, row) = (&self.bodies.sets[body.set.0 as usize], body.row as usize);
+        let motion = &set.motion[row];
+        let moves = body.set == SetId::AWAKE;
+        let (v, w) = if moves {
+            (set.velocity(row), set.angular_velocity(row))
+        } else {
+            (Vec3::zeros(), Vec3::zeros())
+        };
+        let plain = collider.local == Pose::IDENTITY;
+        Side {
+            q: if plain { motion.q } else { motion.q * collider.local.q },
+            arm: rotate(&motion.q, collider.local.p - set.mass[row].center),
+            x: motion.x,
+            v,
+            w,
+            spin_way: length(w) * dt * collider.reach,
+            asleep: body.set.is_sleeping(),
+            moving: body.body_type != BodyType::Static,
+            collider,
+        }
+    }
+
+    /// Recomputes one contact.
+    pub(crate) fn update_contact(&self, contact: &mut Contact, dt: Float) {
+        let (a, b) = (self.side(contact.shape[0], dt), self.side(contact.shape[1], dt));
+        // Static bodies have no size limit: a floor does not make a marble's margin large.
+        let size = |s: &Side<'_>| if s.moving { s.collider.inner_radius } else { Float::MAX };
+        let size = size(&a).min(size(&b));
+        let relative = b.v - a.v;
+        let way = length(relative) * dt + a.spin_way + b.spin_way + length(self.def.gravity) * dt * dt;
+        let margin = CONTACT_MARGIN * size + way.min(size);
+
+        // a_from_b, from the difference of the centres: exact far from the origin, too.
+        let a_from_b = Pose::new(
+            rotate_back(&a.q, (b.x - a.x) + b.arm - a.arm),
+            a.q.conjugate() * b.q,
+        );
+        let mut manifold = Manifold::default();
+        narrow_phase::collide(
+            &a.collider.shape,
+            &b.collider.shape,
+            &a_from_b,
+            margin,
+            self.def.narrow_phase,
+            &mut contact.cache,
+            &mut manifold,
+        );
+        let normal = rotate(&a.q, manifold.normal);
+
+        if a.asleep || b.asleep {
+            // A sleeper is woken by what will touch it in this step, not by what passes by.
+            let approach = normal.dot(&relative) * dt - a.spin_way - b.spin_way;
+            if manifold.points[..manifold.count].iter().all(|p| p.separation > 0.0 && p.separation + approach > 0.0) {
+                manifold.count = 0;
+            }
+        }
+        if manifold.count > 0 && contact.is(flags::PRE_SOLVE) {
+            if let Some(ask) = &self.callbacks.pre_solve {
+                let point = a.x + a.arm + rotate(&a.q, manifold.points[0].point);
+                let [sa, sb] = contact.shape.map(|s| self.shape_id(s as usize));
+                if !ask(sa, sb, point, normal) {
+                    manifold.count = 0;
+                }
+            }
+        }
+        self.carry_impulses(contact, &manifold, normal, &a, &b);
+        self.mix_materials(contact, &a, &b);
+    }
+
+    /// Takes the new points in; those with known features keep their impulses.
+    fn carry_impulses(&self, contact: &mut Contact, manifold: &Manifold, normal: Vec3, a: &Side<'_>, b: &Side<'_>) {
+        let (old, old_count) = (contact.points, contact.count as usize);
+        contact.normal = normal;
+        contact.count = manifold.count as u8;
+        for (point, new) in contact.points.iter_mut().zip(&manifold.points[..manifold.count]) {
+            *point = Default::default();
+            if let Some(known) = old[..old_count].iter().find(|o| o.feature == new.feature) {
+                (point.impulse, point.memory) = (known.impulse, known.memory);
+            }
+            point.anchor = a.arm + rotate(&a.q, new.point);
+            point.separation = new.separation;
+            point.feature = new.feature;
+            let arm_b = point.anchor + (a.x - b.x);
+            point.approach =
+                normal.dot(&(b.v + b.w.cross(&arm_b) - a.v - a.w.cross(&point.anchor)));
+        }
+        contact.total_friction = Vec3::zeros();
+        if contact.count == 0 {
+            contact.clear_impulses();
+        }
+    }
+
+    /// Coefficients of the pair. Done every step, so that changes of materials take effect at once.
+    fn mix_materials(&self, contact: &mut Contact, a: &Side<'_>, b: &Side<'_>) {
+        let (ma, mb) = (&a.collider.material, &b.collider.material);
+        let (ia, ib) = (ma.user_material_id, mb.user_material_id);
+        let root = |x: Float, y: Float| if x == y { x } else { (x * y).sqrt() };
+        let (sa, sb) = (ma.resolved_static_friction(), mb.resolved_static_friction());
+        (contact.friction, contact.static_friction) = match &self.callbacks.friction {
+            Some(mix) => (
+                coefficient(mix(ma.friction, ia, mb.friction, ib), Float::MAX),
+                coefficient(mix(sa, ia, sb, ib), Float::MAX),
+            ),
+            None => (root(ma.friction, mb.friction), root(sa, sb)),
+        };
+        contact.restitution = match &self.callbacks.restitution {
+            Some(mix) => coefficient(mix(ma.restitution, ia, mb.restitution, ib), 1.0),
+            None => ma.restitution.max(mb.restitution),
+        };
+        contact.rolling_lever = (ma.rolling_resistance * a.collider.rolling_radius())
+            .max(mb.rolling_resistance * b.collider.rolling_radius());
+        contact.conveyor = if ma.tangent_velocity == Vec3::zeros() && mb.tangent_velocity == Vec3::zeros() {
+            Vec3::zeros()
+        } else {
+            let world = |s: &Side<'_>, t: Vec3| {
+                // Given in the body's frame; `q` is the shape's.
+                rotate(&s.q, rotate_back(&s.collider.local.q, t))
+            };
+            world(b, mb.tangent_velocity) - world(a, ma.tangent_velocity)
+        };
+        debug_assert!(contact.place[0] != NONE);
+    }
+}
+
+/// A callback's answer, made harmless: a coefficient that is not a number ≥ 0 counts as 0.
+fn coefficient(x: Float, most: Float) -> Float {
+    if x > 0.0 { x.min(most) } else { 0.0 }
+}

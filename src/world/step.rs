@@ -1,0 +1,229 @@
+//! One step, as a list of its stages.
+
+use super::{BodyMoveEvent, BodyType, ContactBeginEvent, ContactEndEvent, ContactHitEvent, World};
+use crate::body::{NONE, SetId};
+use crate::constraint::contact::flags;
+use crate::error::{Error, ErrorCode, Result, check};
+use crate::math::tolerance::TOUCH_MARGIN;
+use crate::math::{Float, Vec3};
+use crate::solver::{Lanes, soft_step};
+use std::time::Instant;
+
+impl World {
+    /// Moves the world by `dt` seconds in `sub_steps` equal parts. With `dt` 0 only contacts are brought up to
+    /// date.
+    ///
+    /// # Errors
+    /// NotFinite or Range: `dt` is not a finite number ≥ 0, or `sub_steps` is not in 1 … 1000.
+    pub fn try_step(&mut self, dt: Float, sub_steps: u32) -> Result<()> {
+        check::not_negative("time_step", dt)?;
+        if !(1..=1000).contains(&sub_steps) {
+            return Err(Error::new(ErrorCode::Range, format!("sub_steps is {sub_steps}; it must be 1 … 1000.")));
+        }
+        let settings = self.begin(dt, sub_steps);
+        let mut clock = Clock::start();
+        self.update_bounds(dt);
+        self.profile.update_bounds = clock.lap();
+        self.find_pairs();
+        self.profile.find_pairs = clock.lap();
+        self.update_contacts(dt);
+        self.profile.update_contacts = clock.lap();
+        self.build_islands();
+        self.profile.build_islands = clock.lap();
+        if dt > 0.0 {
+            soft_step::prepare(&mut self.work, &self.bodies, &self.contacts, &mut self.islands, &settings);
+            self.profile.prepare = clock.lap();
+            soft_step::solve(&mut self.work, &self.bodies, &mut self.contacts, &settings);
+            self.profile.solve = clock.lap();
+            self.advance(dt);
+            self.profile.advance = clock.lap();
+            self.update_sleep(dt);
+            self.profile.update_sleep = clock.lap();
+        }
+        self.publish_events(dt);
+        self.profile.publish_events = clock.lap();
+        self.end(&settings);
+        self.profile.step = clock.total();
+        Ok(())
+    }
+
+    fn begin(&mut self, dt: Float, sub_steps: u32) -> soft_step::Settings {
+        self.events.begin_step();
+        self.scratch.fell_asleep.clear();
+        self.profile = super::Profile::default();
+        soft_step::Settings {
+            gravity: self.def.gravity,
+            dt,
+            sub_steps,
+            last_h: self.last_h,
+            stiffness: self.def.contact_stiffness,
+            damping_ratio: self.def.contact_damping_ratio,
+            push_out: self.def.contact_speed,
+            restitution_threshold: self.def.restitution_threshold,
+            maximum_linear_speed: self.def.maximum_linear_speed,
+            warm_starting: self.def.enable_warm_starting,
+            load_memory: self.def.enable_load_memory && self.def.enable_warm_starting,
+            wide: self.def.lanes != Lanes::One,
+        }
+    }
+
+    /// Stage 8: poses, momenta and world inertia; kinematic bodies go their way.
+    fn advance(&mut self, dt: Float) {
+        let mut broken = std::mem::take(&mut self.scratch.broken);
+        broken.clear();
+        self.work.write_back(&mut self.bodies, &mut broken);
+        let set = &mut self.bodies.sets[SetId::AWAKE.0 as usize];
+        for row in 0..set.len() {
+            if self.bodies.bodies[set.index[row] as usize].island == NONE {
+                let (v, w) = (set.velocity(row), set.angular_velocity(row));
+                let motion = &mut set.motion[row];
+                motion.x += v * dt;
+                motion.q = crate::integrate::turn_by(&motion.q, w * dt);
+                if !crate::math::is_finite(motion.x) {
+                    broken.push(set.index[row]);
+                }
+            }
+        }
+        for &body in &broken {
+            self.quarantine(body as usize);
+        }
+        self.scratch.broken = broken;
+    }
+
+    /// Stage 11.
+    fn publish_events(&mut self, dt: Float) {
+        self.publish_touches();
+        let stepped = dt > 0.0;
+        if stepped {
+            for row in 0..self.bodies.awake().len() {
+                let index = self.bodies.awake().index[row] as usize;
+                self.publish_move(index, false);
+            }
+            for k in 0..self.scratch.fell_asleep.len() {
+                let index = self.scratch.fell_asleep[k] as usize;
+                self.publish_move(index, true);
+            }
+            self.events.moved.sort_unstable_by_key(|e| e.body.index1);
+        }
+    }
+
+    fn publish_move(&mut self, index: usize, fell_asleep: bool) {
+        let (set, row) = self.bodies.at(index);
+        let event = BodyMoveEvent {
+            body: self.body_id(index),
+            transform: set.origin(row),
+            user_data: self.bodies.bodies[index].user_data,
+            fell_asleep,
+        };
+        self.events.moved.push(event);
+    }
+
+    fn publish_touches(&mut self) {
+        for k in 0..self.contacts.awake.len() {
+            let index = self.contacts.awake[k] as usize;
+            let contact = &self.contacts.contacts[index];
+            let size = contact.shape.iter().map(|&s| self.colliders[s as usize].inner_radius);
+            let slack = TOUCH_MARGIN * size.fold(Float::MAX, Float::min);
+            let was = contact.is(flags::TOUCHING);
+            // Beginning takes a force or an overlap; having begun, it takes a visible gap to end.
+            let is = contact
+                .points()
+                .iter()
+                .any(|p| p.total > 0.0 || p.separation <= if was { slack } else { 0.0 });
+            if contact.is(flags::EVENTS) && is != was {
+                let (a, b) = (self.shape_id(contact.shape[0] as usize), self.shape_id(contact.shape[1] as usize));
+                let id = self.contact_id(index);
+                if is {
+                    self.events.begin.push(ContactBeginEvent { shape_a: a, shape_b: b, contact: id });
+                } else {
+                    self.events.end.push(ContactEndEvent { shape_a: a, shape_b: b, contact: id });
+                }
+            }
+            if contact.is(flags::HIT_EVENTS) {
+                self.publish_hit(index);
+            }
+            self.contacts.contacts[index].set(flags::TOUCHING, is);
+        }
+        self.events.begin.sort_unstable_by_key(|e| e.contact.index1);
+        self.events.hit.sort_unstable_by_key(|e| e.contact.index1);
+    }
+
+    fn publish_hit(&mut self, index: usize) {
+        let contact = &self.contacts.contacts[index];
+        let fastest = contact
+            .points()
+            .iter()
+            .filter(|p| p.total > 0.0 && -p.approach > self.def.hit_event_threshold)
+            .fold(None, |best: Option<&crate::constraint::ContactPoint>, p| match best {
+                Some(b) if b.approach <= p.approach => Some(b),
+                _ => Some(p),
+            });
+        if let Some(p) = fastest {
+            let (set, row) = self.bodies.at(contact.body[0] as usize);
+            let materials = contact.shape.map(|s| self.colliders[s as usize].material.user_material_id);
+            let event = ContactHitEvent {
+                shape_a: self.shape_id(contact.shape[0] as usize),
+                shape_b: self.shape_id(contact.shape[1] as usize),
+                contact: self.contact_id(index),
+                point: set.motion[row].x + p.anchor,
+                normal: contact.normal,
+                approach_speed: -p.approach,
+                materials,
+            };
+            self.events.hit.push(event);
+        }
+    }
+
+    /// Stage 12: forces act for one step only.
+    fn end(&mut self, settings: &soft_step::Settings) {
+        if settings.dt > 0.0 {
+            let set = &mut self.bodies.sets[SetId::AWAKE.0 as usize];
+            for drive in &mut set.drive {
+                (drive.force, drive.torque) = (Vec3::zeros(), Vec3::zeros());
+            }
+            self.last_h = settings.dt / settings.sub_steps as Float;
+            self.last_dt = settings.dt;
+        }
+        self.last_sub_steps = settings.sub_steps;
+        self.counts.steps += 1;
+    }
+
+    /// A body whose state stopped being finite keeps its last finite one and is disabled.
+    fn quarantine(&mut self, body: usize) {
+        let (set, row) = self.bodies.at_mut(body);
+        let motion = &mut set.motion[row];
+        if !crate::math::is_finite(motion.x) {
+            // Kinematic: its velocity carried it out of all bounds.
+            motion.x = motion.x.map(|x| if x.is_finite() { x } else { 0.0 });
+        }
+        (motion.p, motion.l) = (Vec3::zeros(), Vec3::zeros());
+        self.bodies.bodies[body].quarantined = true;
+        self.counts.quarantined += 1;
+        debug_assert!(self.bodies.bodies[body].body_type != BodyType::Static);
+        self.disable_body(body);
+    }
+}
+
+/// Milliseconds of each stage.
+struct Clock {
+    start: Instant,
+    last: Instant,
+}
+
+impl Clock {
+    fn start() -> Self {
+        let now = Instant::now();
+        Self { start: now, last: now }
+    }
+
+    fn lap(&mut self) -> f32 {
+        let now = Instant::now();
+        let ms = now.duration_since(self.last).as_secs_f32() * 1e3;
+        self.last = now;
+        ms
+    }
+
+    fn total(&self) -> f32 {
+        self.start.elapsed().as_secs_f32() * 1e3
+    }
+}
