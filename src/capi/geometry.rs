@@ -2,7 +2,7 @@
 
 use super::guard::{call, needed, neutral};
 use super::hull_data::{mvHullData, solid};
-use super::math::{ZERO3, mvAABB, mvTransform, mvVec3};
+use super::math::{ORIGIN, ZERO3, mvAABB, mvPos, mvTransform, mvVec3};
 use super::mvFloat;
 use super::shape_data::{mvCapsule, mvMassData, mvSphere};
 use crate::error::{Result, check};
@@ -38,11 +38,29 @@ pub struct mvCastOutput {
     pub hit: bool,
 }
 
+/// Where a ray or a moving shape hits a shape of a world.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct mvWorldCastOutput {
+    /// The outward normal of the surface at the point, of length 1.
+    pub normal: mvVec3,
+    /// The point on the surface [m].
+    pub point: mvPos,
+    /// The fraction of the translation travelled.
+    pub fraction: mvFloat,
+    /// The number of iterations used; 0 where the answer is a closed form.
+    pub iterations: c_int,
+    /// Whether there was a hit. If not, everything else is zero.
+    pub hit: bool,
+}
+
 pub(super) const NO_HIT: mvCastOutput =
     mvCastOutput { normal: ZERO3, point: ZERO3, fraction: 0.0, iterations: 0, hit: false };
 
 neutral! {
     mvCastOutput = NO_HIT;
+    mvWorldCastOutput =
+        mvWorldCastOutput { normal: ZERO3, point: ORIGIN, fraction: 0.0, iterations: 0, hit: false };
 }
 
 /// Get mass, centre of mass and inertia of a solid sphere.
@@ -170,7 +188,7 @@ pub unsafe extern "C" fn mvRayCastHull(shape: *const mvHullData, input: Option<&
 
 fn mass(shape: &Shape, pose: &Pose, density: Float) -> Result<mvMassData> {
     let density = check::not_negative("density", density)?;
-    Ok(crate::body::mass::placed(&shape.mass_data(density), pose).into())
+    Ok(shape.mass_data(density).placed(pose).into())
 }
 
 fn ray(input: &mvRayCastInput) -> Result<(Vec3, Vec3, Float)> {

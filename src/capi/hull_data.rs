@@ -184,7 +184,7 @@ impl Tables {
 
     pub(super) fn of_box(cuboid: Cuboid, pose: &Pose) -> Self {
         let mut tables = Self::new(&cuboid, pose);
-        let mass = crate::body::mass::placed(&Shape::Box(cuboid).mass_data(1.0), pose);
+        let mass = Shape::Box(cuboid).mass_data(1.0).placed(pose);
         tables.set_mass(&mass, length(cuboid.half()));
         tables.head.box_half_widths = cuboid.half().into();
         tables.head.box_transform = (*pose).into();

@@ -259,8 +259,8 @@ pub(super) fn in_callback<R>(world: &World, f: impl FnOnce() -> R) -> R {
     f()
 }
 
-/// Puts a new world into the lowest free place.
-pub(super) fn create(def: &WorldDef) -> Result<mvWorldId> {
+/// Puts a new world into the lowest free place, after `prepare` had a go at it.
+pub(super) fn create(def: &WorldDef, prepare: impl FnOnce(&mut World)) -> Result<mvWorldId> {
     def.validate()?;
     let (index, identity) = {
         let mut free = free();
@@ -277,7 +277,10 @@ pub(super) fn create(def: &WorldDef) -> Result<mvWorldId> {
         (index, identity)
     };
     let place = &block(index).get_or_init(new_block)[index % BLOCK];
-    let world = World::try_with_identity(def, identity).inspect_err(|_| free().live -= 1)?;
+    // A place where this fails, which nothing known can make it do, stays empty for good.
+    let made = caught(|| World::try_with_identity(def, identity));
+    let mut world = made.inspect_err(|_| free().live -= 1)?;
+    prepare(&mut world);
     // Somebody with an id of an older world may be looking in; that takes no time.
     let _hold = loop {
         match place.try_write() {
