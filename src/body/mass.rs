@@ -52,7 +52,7 @@ impl MassProps {
         let turns = axes.moments.min() > 0.0;
         let isotropic = !turns || crate::integrate::is_isotropic(axes.moments);
         let inv_inertia = if turns {
-            let r = rotation_matrix(&axes.rotation);
+            let r = rotation_matrix(&axes.body_from_principal);
             r * Mat3::from_diagonal(&axes.moments.map(|m| 1.0 / m)) * r.transpose()
         } else {
             Mat3::zeros()
@@ -64,7 +64,7 @@ impl MassProps {
             inertia: data.inertia,
             inv_inertia,
             moments: axes.moments,
-            principal: axes.rotation,
+            principal: axes.body_from_principal,
             isotropic,
             extent,
         }

@@ -1,6 +1,7 @@
 //! Ids as C sees them. Packing them into integers is inline C.
 
 use super::guard::neutral;
+use crate::world::{BodyId, ContactId, ShapeId};
 
 /// A world. Zero is null.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -55,4 +56,40 @@ neutral! {
     mvBodyId = mvBodyId { index1: 0, world0: 0, generation: 0 };
     mvShapeId = mvShapeId { index1: 0, world0: 0, generation: 0 };
     mvContactId = mvContactId { index1: 0, world0: 0, padding: 0, generation: 0 };
+}
+
+impl From<mvBodyId> for BodyId {
+    fn from(id: mvBodyId) -> Self {
+        Self { index1: id.index1 as u32, world: id.world0, generation: id.generation }
+    }
+}
+
+impl From<BodyId> for mvBodyId {
+    fn from(id: BodyId) -> Self {
+        Self { index1: id.index1 as i32, world0: id.world, generation: id.generation }
+    }
+}
+
+impl From<mvShapeId> for ShapeId {
+    fn from(id: mvShapeId) -> Self {
+        Self { index1: id.index1 as u32, world: id.world0, generation: id.generation }
+    }
+}
+
+impl From<ShapeId> for mvShapeId {
+    fn from(id: ShapeId) -> Self {
+        Self { index1: id.index1 as i32, world0: id.world, generation: id.generation }
+    }
+}
+
+impl From<mvContactId> for ContactId {
+    fn from(id: mvContactId) -> Self {
+        Self { index1: id.index1 as u32, world: id.world0, generation: id.generation }
+    }
+}
+
+impl From<ContactId> for mvContactId {
+    fn from(id: ContactId) -> Self {
+        Self { index1: id.index1 as i32, world0: id.world, padding: 0, generation: id.generation }
+    }
 }

@@ -15,16 +15,55 @@
 #![allow(missing_docs)]
 
 mod base;
+mod body;
+mod body_mass;
+mod body_motion;
+mod bulk;
+mod callback;
+mod contact;
+mod def;
 mod error;
+mod event;
+mod geometry;
 mod guard;
+mod hull;
+mod hull_data;
 mod id;
+mod kind;
 mod math;
 mod math_fcn;
+mod registry;
+mod shape;
+mod shape_data;
+mod shape_surface;
+mod side;
+mod world;
+mod world_tuning;
 
 pub use crate::math::Float as mvFloat;
 
+/// A byte that C calls bool. From C it may have any value, so it is checked before it becomes Rust's.
+/// cbindgen:ignore
+pub type Flag = u8;
+
 pub use base::*;
+pub use body::*;
+pub use body_mass::*;
+pub use body_motion::*;
+pub use bulk::*;
+pub use contact::*;
+pub use def::*;
 pub use error::*;
+pub use event::*;
+pub use geometry::*;
+pub use hull::*;
+pub use hull_data::*;
 pub use id::*;
+pub use kind::*;
 pub use math::*;
 pub use math_fcn::*;
+pub use shape::*;
+pub use shape_data::*;
+pub use shape_surface::*;
+pub use world::*;
+pub use world_tuning::*;

@@ -110,9 +110,9 @@ fn new_block() -> Box<[Place]> {
 }
 
 /// Ends a hold on a lock.
-struct Release<'a>(&'a AtomicU32, bool);
+struct Hold<'a>(&'a AtomicU32, bool);
 
-impl Drop for Release<'_> {
+impl Drop for Hold<'_> {
     fn drop(&mut self) {
         if self.1 {
             self.0.store(0, Release);
@@ -123,14 +123,14 @@ impl Drop for Release<'_> {
 }
 
 impl Place {
-    fn try_read(&self) -> Option<Release<'_>> {
+    fn try_read(&self) -> Option<Hold<'_>> {
         let more = |n| if n < WRITER - 1 { Some(n + 1) } else { None };
-        self.lock.fetch_update(Acquire, Relaxed, more).ok().map(|_| self::Release(&self.lock, false))
+        self.lock.fetch_update(Acquire, Relaxed, more).ok().map(|_| Hold(&self.lock, false))
     }
 
-    fn try_write(&self) -> Option<Release<'_>> {
+    fn try_write(&self) -> Option<Hold<'_>> {
         let taken = self.lock.compare_exchange(0, WRITER, Acquire, Relaxed);
-        taken.ok().map(|_| self::Release(&self.lock, true))
+        taken.ok().map(|_| Hold(&self.lock, true))
     }
 
     /// Whether a world of this generation lives here, or any for generation 0.

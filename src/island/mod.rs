@@ -80,13 +80,14 @@ impl IslandStore {
         let larger_a = self.islands[ia as usize].bodies.len() >= self.islands[ib as usize].bodies.len();
         let (into, from) = if larger_a { (ia, ib) } else { (ib, ia) };
         let mut moved = std::mem::take(&mut self.islands[from as usize].bodies);
+        let lost = self.islands[from as usize].lost;
         let target = &mut self.islands[into as usize];
         for &body in &moved {
             let b = &mut bodies[body as usize];
             (b.island, b.island_place) = (into, target.bodies.len() as u32);
             target.bodies.push(body);
         }
-        target.lost += self.islands[from as usize].lost;
+        target.lost += lost;
         moved.clear();
         self.islands[from as usize].bodies = moved;
         self.free.push(from);

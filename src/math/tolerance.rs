@@ -62,3 +62,7 @@ pub const CONTACT_MARGIN: Float = 0.02;
 /// Shapes cease to touch, for the events, at a gap of this share of the inner radius: wider than rounding, so
 /// that a resting contact does not end and begin.
 pub const TOUCH_MARGIN: Float = 1e-3;
+
+/// A contact point without a known feature is taken for an old one that is nearer than this share of the inner
+/// radius: more than a body at rest moves in a step, less than the distance of two points of a manifold.
+pub const SAME_PLACE: Float = 0.1;

@@ -9,6 +9,14 @@ mod register {
     use super::*;
     use core::arch::x86_64::*;
 
+    /// Calls SSE2 functions.
+    macro_rules! sse {
+        // SAFETY: they need the target features sse and sse2, which every x86-64 target has, and touch no memory.
+        ($e:expr) => {
+            unsafe { $e }
+        };
+    }
+
     /// Four lanes in one SSE register. SSE2 is part of x86-64 itself.
     #[derive(Clone, Copy, Debug)]
     #[repr(transparent)]
@@ -17,7 +25,7 @@ mod register {
     impl Four {
         #[inline(always)]
         pub fn from_array(a: Quad) -> Self {
-            Self(_mm_set_ps(a[3], a[2], a[1], a[0]))
+            Self(sse!(_mm_set_ps(a[3], a[2], a[1], a[0])))
         }
         #[inline(always)]
         pub fn to_array(self) -> Quad {
@@ -31,13 +39,13 @@ mod register {
         }
         #[inline(always)]
         fn transpose(r: [Self; 4]) -> [Self; 4] {
-            let (a, b) = (_mm_unpacklo_ps(r[0].0, r[1].0), _mm_unpackhi_ps(r[0].0, r[1].0));
-            let (c, d) = (_mm_unpacklo_ps(r[2].0, r[3].0), _mm_unpackhi_ps(r[2].0, r[3].0));
+            let (a, b) = sse!((_mm_unpacklo_ps(r[0].0, r[1].0), _mm_unpackhi_ps(r[0].0, r[1].0)));
+            let (c, d) = sse!((_mm_unpacklo_ps(r[2].0, r[3].0), _mm_unpackhi_ps(r[2].0, r[3].0)));
             [
-                Self(_mm_movelh_ps(a, c)),
-                Self(_mm_movehl_ps(c, a)),
-                Self(_mm_movelh_ps(b, d)),
-                Self(_mm_movehl_ps(d, b)),
+                Self(sse!(_mm_movelh_ps(a, c))),
+                Self(sse!(_mm_movehl_ps(c, a))),
+                Self(sse!(_mm_movelh_ps(b, d))),
+                Self(sse!(_mm_movehl_ps(d, b))),
             ]
         }
     }
@@ -46,28 +54,28 @@ mod register {
         type Output = Self;
         #[inline(always)]
         fn add(self, o: Self) -> Self {
-            Self(_mm_add_ps(self.0, o.0))
+            Self(sse!(_mm_add_ps(self.0, o.0)))
         }
     }
     impl Sub for Four {
         type Output = Self;
         #[inline(always)]
         fn sub(self, o: Self) -> Self {
-            Self(_mm_sub_ps(self.0, o.0))
+            Self(sse!(_mm_sub_ps(self.0, o.0)))
         }
     }
     impl Mul for Four {
         type Output = Self;
         #[inline(always)]
         fn mul(self, o: Self) -> Self {
-            Self(_mm_mul_ps(self.0, o.0))
+            Self(sse!(_mm_mul_ps(self.0, o.0)))
         }
     }
     impl Neg for Four {
         type Output = Self;
         #[inline(always)]
         fn neg(self) -> Self {
-            Self(_mm_xor_ps(self.0, _mm_set1_ps(-0.0)))
+            Self(sse!(_mm_xor_ps(self.0, _mm_set1_ps(-0.0))))
         }
     }
 
@@ -82,7 +90,7 @@ mod register {
         }
         #[inline(always)]
         fn splat(x: Float) -> Self {
-            Self(_mm_set1_ps(x))
+            Self(sse!(_mm_set1_ps(x)))
         }
         #[inline(always)]
         fn get(self, i: usize) -> Float {
@@ -96,31 +104,31 @@ mod register {
         }
         #[inline(always)]
         fn over(self, d: Self) -> Self {
-            Self(_mm_div_ps(self.0, d.0))
+            Self(sse!(_mm_div_ps(self.0, d.0)))
         }
         #[inline(always)]
         fn sqrt(self) -> Self {
-            Self(_mm_sqrt_ps(self.0))
+            Self(sse!(_mm_sqrt_ps(self.0)))
         }
         #[inline(always)]
         fn min(self, b: Self) -> Self {
-            Self(_mm_min_ps(self.0, b.0))
+            Self(sse!(_mm_min_ps(self.0, b.0)))
         }
         #[inline(always)]
         fn max(self, b: Self) -> Self {
-            Self(_mm_max_ps(self.0, b.0))
+            Self(sse!(_mm_max_ps(self.0, b.0)))
         }
         #[inline(always)]
         fn gt(self, b: Self) -> __m128 {
-            _mm_cmpgt_ps(self.0, b.0)
+            sse!(_mm_cmpgt_ps(self.0, b.0))
         }
         #[inline(always)]
         fn select(mask: __m128, a: Self, b: Self) -> Self {
-            Self(_mm_or_ps(_mm_and_ps(mask, a.0), _mm_andnot_ps(mask, b.0)))
+            Self(sse!(_mm_or_ps(_mm_and_ps(mask, a.0), _mm_andnot_ps(mask, b.0))))
         }
         #[inline(always)]
         fn any(mask: __m128) -> bool {
-            _mm_movemask_ps(mask) != 0
+            sse!(_mm_movemask_ps(mask)) != 0
         }
         #[inline(always)]
         fn gather(rows: impl Fn(usize) -> Quad) -> [Self; 4] {

@@ -3,9 +3,9 @@
 use super::collider::clamped;
 use super::{BodyType, Collider, World};
 use crate::body::{NONE, SetId};
-use crate::constraint::{Contact, contact::flags};
-use crate::math::tolerance::{CONTACT_MARGIN, FAT_MARGIN};
-use crate::math::{Aabb, Float, Pose, Vec3, length, rotate, rotate_back};
+use crate::constraint::{Contact, ContactPoint, contact::flags};
+use crate::math::tolerance::{CONTACT_MARGIN, FAT_MARGIN, SAME_PLACE};
+use crate::math::{Aabb, Float, Pose, Vec3, length, length_squared, rotate, rotate_back};
 use crate::narrow_phase::{self, Manifold};
 
 /// Lists that a step fills and empties.
@@ -105,7 +105,7 @@ impl World {
         }
         match &self.callbacks.custom_filter {
             Some(ask) if a.custom_filtering || b.custom_filtering => {
-                ask(self.shape_id(pair[0] as usize), self.shape_id(pair[1] as usize))
+                ask(self, self.shape_id(pair[0] as usize), self.shape_id(pair[1] as usize))
             }
             _ => true,
         }
@@ -230,26 +230,37 @@ impl World {
             if let Some(ask) = &self.callbacks.pre_solve {
                 let point = a.x + a.arm + rotate(&a.q, manifold.points[0].point);
                 let [sa, sb] = contact.shape.map(|s| self.shape_id(s as usize));
-                if !ask(sa, sb, point, normal) {
+                if !ask(self, sa, sb, point, normal) {
                     manifold.count = 0;
                 }
             }
         }
-        self.carry_impulses(contact, &manifold, normal, &a, &b);
+        self.carry_impulses(contact, &manifold, normal, &a, &b, size);
         self.mix_materials(contact, &a, &b);
     }
 
     /// Takes the new points in; those with known features keep their impulses.
-    fn carry_impulses(&self, contact: &mut Contact, manifold: &Manifold, normal: Vec3, a: &Side<'_>, b: &Side<'_>) {
-        let (old, old_count) = (contact.points, contact.count as usize);
+    fn carry_impulses(&self, contact: &mut Contact, manifold: &Manifold, normal: Vec3, a: &Side<'_>, b: &Side<'_>, size: Float) {
+        let (mut old, old_count) = (contact.points, contact.count as usize);
+        let old = &mut old[..old_count];
         contact.normal = normal;
         contact.count = manifold.count as u8;
+        let mut strangers = 0;
         for (point, new) in contact.points.iter_mut().zip(&manifold.points[..manifold.count]) {
             *point = Default::default();
-            if let Some(known) = old[..old_count].iter().find(|o| o.feature == new.feature) {
-                (point.impulse, point.memory) = (known.impulse, known.memory);
-            }
             point.anchor = a.arm + rotate(&a.q, new.point);
+            if let Some(known) = old.iter_mut().find(|o| o.feature == new.feature) {
+                (point.impulse, point.memory) = (known.impulse, known.memory);
+                known.feature = TAKEN;
+            } else {
+                strangers += 1;
+                point.feature = TAKEN;
+            }
+        }
+        if strangers > 0 && old_count > 0 {
+            inherit_by_place(&mut contact.points[..manifold.count], old, size);
+        }
+        for (point, new) in contact.points.iter_mut().zip(&manifold.points[..manifold.count]) {
             point.separation = new.separation;
             point.feature = new.feature;
             let arm_b = point.anchor + (a.x - b.x);
@@ -270,13 +281,13 @@ impl World {
         let (sa, sb) = (ma.resolved_static_friction(), mb.resolved_static_friction());
         (contact.friction, contact.static_friction) = match &self.callbacks.friction {
             Some(mix) => (
-                coefficient(mix(ma.friction, ia, mb.friction, ib), Float::MAX),
-                coefficient(mix(sa, ia, sb, ib), Float::MAX),
+                coefficient(mix(self, ma.friction, ia, mb.friction, ib), Float::MAX),
+                coefficient(mix(self, sa, ia, sb, ib), Float::MAX),
             ),
             None => (root(ma.friction, mb.friction), root(sa, sb)),
         };
         contact.restitution = match &self.callbacks.restitution {
-            Some(mix) => coefficient(mix(ma.restitution, ia, mb.restitution, ib), 1.0),
+            Some(mix) => coefficient(mix(self, ma.restitution, ia, mb.restitution, ib), 1.0),
             None => ma.restitution.max(mb.restitution),
         };
         contact.rolling_lever = (ma.rolling_resistance * a.collider.rolling_radius())
@@ -291,6 +302,28 @@ impl World {
             world(b, mb.tangent_velocity) - world(a, ma.tangent_velocity)
         };
         debug_assert!(contact.place[0] != NONE);
+    }
+}
+
+/// A feature that no point has: it is spoken for, or not known yet.
+const TAKEN: u32 = u32::MAX;
+
+/// Points whose features are new take over the impulse of the nearest old point that no other one has, within
+/// [`SAME_PLACE`]: two faces may change roles without anything having moved.
+fn inherit_by_place(points: &mut [ContactPoint], old: &mut [ContactPoint], size: Float) {
+    let reach = SAME_PLACE * size;
+    for point in points.iter_mut().filter(|p| p.feature == TAKEN) {
+        let mut best: Option<(Float, usize)> = None;
+        for (k, o) in old.iter().enumerate().filter(|(_, o)| o.feature != TAKEN) {
+            let d = length_squared(o.anchor - point.anchor);
+            if d < reach * reach && best.is_none_or(|(least, _)| d < least) {
+                best = Some((d, k));
+            }
+        }
+        if let Some((_, k)) = best {
+            (point.impulse, point.memory) = (old[k].impulse, old[k].memory);
+            old[k].feature = TAKEN;
+        }
     }
 }
 

@@ -530,6 +530,7 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Contac
             if RELAX { (zero, one, zero) } else { (soft(0), soft(1), soft(2)) };
         let (inv_h, push_out) = (L::splat(sub.inv_h), L::splat(-sub.push_out));
 
+        self.friction.solve(n, self.offset, &self.points, &mut a, &mut b, RELAX);
         for (k, p) in self.points.iter_mut().enumerate() {
             let (ra, rb) = (p.r, p.r + self.offset);
             let (ka, kb) = (ra.cross(n), rb.cross(n));
@@ -558,7 +559,6 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Contac
             a.w = a.w - a.inv_inertia.times(ka).times(change);
             b.w = b.w + b.inv_inertia.times(kb).times(change);
         }
-        self.friction.solve(n, self.offset, &self.points, &mut a, &mut b, RELAX);
         rows.scatter::<L>(&self.a, &a);
         rows.scatter::<L>(&self.b, &b);
     }

@@ -35,6 +35,7 @@ pub fn kind_of(c: &Contact) -> usize {
 }
 
 /// What filling a block needs to know of a contact besides the contact.
+#[derive(Clone, Copy, Debug)]
 pub struct Placed {
     /// Stable index.
     pub index: u32,
