@@ -3,7 +3,6 @@
 //! The modules stand in the order in which data flows through one step of the world.
 
 pub mod error;
-pub mod integrate;
 pub mod math;
 pub mod simd;
 

@@ -353,8 +353,7 @@ fn center(bodies: &BodyStore, body: u32) -> Vec3 {
 fn memory_rate(ratio: Float, height: u32, sub_steps: u32) -> Float {
     let height = height as Float;
     let sweeps = (2.3 * ratio).max(0.93 * height * height);
-    let f: Float = std::env::var("AL").ok().and_then(|s| s.parse().ok()).unwrap_or(1.0); let c: Float = std::env::var("AC").ok().and_then(|s| s.parse().ok()).unwrap_or(0.1);
-    (f * 4.0 * sub_steps as Float / sweeps).min(c)
+    (4.0 * sub_steps as Float / sweeps).min(0.1)
 }
 
 fn immovable_aux() -> Aux {

@@ -4,8 +4,8 @@ use super::layout::Workspace;
 use super::{Settings, SubStep};
 use crate::body::store::without;
 use crate::body::{BodyStore, NONE};
-use crate::integrate::moser_veselov;
-use crate::math::{Float, Mat3, Quat, Vec3, is_finite, length, rotate, rotate_back, rotation_matrix};
+use crate::integrate::{PrincipalAxes, moser_veselov, turn_by};
+use crate::math::{Mat3, Quat, Vec3, is_finite, length, rotate, rotate_back, rotation_matrix};
 use crate::solver::soft_step::rows::{Aux, InertiaRow, Row};
 
 impl Workspace {
@@ -61,7 +61,8 @@ impl Workspace {
             if aux.spin {
                 aux.first_dl = if free { Vec3::zeros() } else { inertia_times(aux, w - aux.before[1]) };
                 aux.l += aux.first_dl;
-                aux.q[0] = moser_veselov(&aux.q[0], aux.l - aux.torque * half, aux.moments, h);
+                let axes = PrincipalAxes { moments: aux.moments, body_from_principal: Quat::identity() };
+                aux.q[0] = moser_veselov(&aux.q[0], aux.l - aux.torque * half, &axes, h);
                 row.set_dq(&(aux.q[0] * aux.q[1].conjugate()));
                 *inertia = InertiaRow::new(&inverse_inertia(aux));
                 w = inertia.times(aux.l);
@@ -191,16 +192,6 @@ fn inverse_inertia(aux: &Aux) -> Mat3 {
 #[inline]
 fn turn_row(row: &mut Row, a: Vec3) {
     if a != Vec3::zeros() {
-        row.set_dq(&turned(&row.dq(), a));
+        row.set_dq(&turn_by(&row.dq(), a));
     }
-}
-
-/// `q` turned by the rotation vector `a` \[rad\].
-#[inline]
-fn turned(q: &Quat, a: Vec3) -> Quat {
-    // tan(θ/2) = (θ/2)(1 + θ²/12 + θ⁴/120 …): exact to 1e-9 for θ up to 0.1, and a unit quaternion always.
-    let t2: Float = a.dot(&a);
-    let f = a * (0.5 * (1.0 + t2 * (1.0 / 12.0 + t2 * (1.0 / 120.0))));
-    let v = Vec3::new(q.i, q.j, q.k);
-    crate::math::quat(q.w - f.dot(&v), v + f * q.w + f.cross(&v))
 }
