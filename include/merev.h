@@ -75,6 +75,32 @@ typedef float mvFloat;
 #define MV_HASH_INIT 5381
 
 /**
+ * Category bits that match every mask.
+ */
+#define MV_DEFAULT_CATEGORY_BITS 18446744073709551615ull
+
+/**
+ * Mask bits that accept every category.
+ */
+#define MV_DEFAULT_MASK_BITS 18446744073709551615ull
+
+/**
+ * The most vertices of a hull.
+ */
+#define MV_MAX_HULL_VERTICES 255
+
+/**
+ * A box as a hull: a plain value that needs no destroying. Pass the address of its base where a hull is wanted.
+ */
+typedef struct mvBoxHull mvBoxHull;
+
+/**
+ * A convex hull: this struct followed by its arrays, byteCount bytes in all. It may be copied as a block, with
+ * alignment 8; offsets are in bytes from the start of this struct. It is read only: a changed hull is refused.
+ */
+typedef struct mvHullData mvHullData;
+
+/**
  * A version by the rules of semver.org.
  */
 typedef struct mvVersion {
@@ -93,21 +119,51 @@ typedef struct mvVersion {
 } mvVersion;
 
 /**
- * The kind of a failure: one of the mv_error... constants. Numbers are never reused.
+ * A body. Zero is null.
  */
-typedef int32_t mvErrorCode;
+typedef struct mvBodyId {
+    /**
+     * The place among the bodies of its world, counted from 1; 0 is null.
+     */
+    int32_t index1;
+    /**
+     * The place of its world among the worlds, counted from 0.
+     */
+    uint16_t world0;
+    /**
+     * How often that place has been used.
+     */
+    uint16_t generation;
+} mvBodyId;
 
 /**
- * Hears the message of every failing call, in UTF-8, on the thread that made the call. The message is valid
- * during the callback only.
+ * A world. Zero is null.
  */
-typedef void (*mvLogFcn)(const char *message);
+typedef struct mvWorldId {
+    /**
+     * The place among the worlds, counted from 1; 0 is null.
+     */
+    uint16_t index1;
+    /**
+     * How often that place has been used.
+     */
+    uint16_t generation;
+} mvWorldId;
 
 /**
- * Hears of internal faults: what was violated and where, in UTF-8, valid during the callback only. The return
- * value is reserved: return 0.
+ * How a body moves: one of mv_staticBody, mv_kinematicBody, mv_dynamicBody.
  */
-typedef int (*mvAssertFcn)(const char *condition, const char *fileName, int lineNumber);
+typedef int32_t mvBodyType;
+
+/**
+ * A position in the world. A type of its own, so that world positions can get more digits than everything
+ * else without a change to programs: convert with mvToPos() and mvToVec3(), subtract with mvSubPos().
+ */
+typedef struct mvPos {
+    mvFloat x;
+    mvFloat y;
+    mvFloat z;
+} mvPos;
 
 /**
  * A vector or point in three dimensions.
@@ -127,21 +183,122 @@ typedef struct mvQuat {
 } mvQuat;
 
 /**
- * A rigid placement: rotate by q, then shift by p.
+ * Directions in which a body cannot move, in world axes.
  */
-typedef struct mvTransform {
-    mvVec3 p;
-    mvQuat q;
-} mvTransform;
+typedef struct mvMotionLocks {
+    /**
+     * No translation along x.
+     */
+    bool linearX;
+    /**
+     * No translation along y.
+     */
+    bool linearY;
+    /**
+     * No translation along z.
+     */
+    bool linearZ;
+    /**
+     * No rotation about x.
+     */
+    bool angularX;
+    /**
+     * No rotation about y.
+     */
+    bool angularY;
+    /**
+     * No rotation about z.
+     */
+    bool angularZ;
+} mvMotionLocks;
 
 /**
- * A 3 by 3 matrix, by columns.
+ * What a body is made from. Made by mvDefaultBodyDef().
  */
-typedef struct mvMatrix3 {
-    mvVec3 cx;
-    mvVec3 cy;
-    mvVec3 cz;
-} mvMatrix3;
+typedef struct mvBodyDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * How the body moves; default mv_staticBody.
+     */
+    mvBodyType type;
+    /**
+     * The position of the body's origin [m].
+     */
+    mvPos position;
+    /**
+     * The rotation of the body, of length 1.
+     */
+    mvQuat rotation;
+    /**
+     * The velocity of the body's origin [m/s].
+     */
+    mvVec3 linearVelocity;
+    /**
+     * The angular velocity, in world axes [rad/s].
+     */
+    mvVec3 angularVelocity;
+    /**
+     * The fraction of the velocity lost per second, for small values [1/s], >= 0; default 0.
+     */
+    mvFloat linearDamping;
+    /**
+     * The fraction of the angular velocity lost per second, for small values [1/s], >= 0; default 0.
+     */
+    mvFloat angularDamping;
+    /**
+     * A factor on gravity; default 1.
+     */
+    mvFloat gravityScale;
+    /**
+     * The body may fall asleep below this speed [m/s], >= 0; default 0.05.
+     */
+    mvFloat sleepThreshold;
+    /**
+     * A name for people, in UTF-8; null for none. Copied.
+     */
+    const char *name;
+    /**
+     * Anything: mvBody_GetUserData().
+     */
+    void *userData;
+    /**
+     * Directions in which the body cannot move; none by default.
+     */
+    mvMotionLocks motionLocks;
+    /**
+     * Whether the body may fall asleep; default true.
+     */
+    bool enableSleep;
+    /**
+     * Whether the body starts awake; default true.
+     */
+    bool isAwake;
+    /**
+     * Whether the body takes part at all; default true.
+     */
+    bool isEnabled;
+} mvBodyDef;
+
+/**
+ * A shape attached to a body. Zero is null.
+ */
+typedef struct mvShapeId {
+    /**
+     * The place among the shapes of its world, counted from 1; 0 is null.
+     */
+    int32_t index1;
+    /**
+     * The place of its world among the worlds, counted from 0.
+     */
+    uint16_t world0;
+    /**
+     * How often that place has been used.
+     */
+    uint16_t generation;
+} mvShapeId;
 
 /**
  * An axis-aligned box.
@@ -158,23 +315,139 @@ typedef struct mvAABB {
 } mvAABB;
 
 /**
- * A plane: the points whose dot product with the unit normal equals the offset. The distance of a point from
- * it is dot(normal, point) - offset, positive on the side the normal points to.
+ * A contact of two shapes: from the step in which their boxes meet to the one in which they part. Zero is null.
  */
-typedef struct mvPlane {
-    mvVec3 normal;
-    mvFloat offset;
-} mvPlane;
+typedef struct mvContactId {
+    /**
+     * The place among the contacts of its world, counted from 1; 0 is null.
+     */
+    int32_t index1;
+    /**
+     * The place of its world among the worlds, counted from 0.
+     */
+    uint16_t world0;
+    /**
+     * Zero.
+     */
+    int16_t padding;
+    /**
+     * How often that place has been used.
+     */
+    uint32_t generation;
+} mvContactId;
 
 /**
- * A position in the world. A type of its own, so that world positions can get more digits than everything
- * else without a change to programs: convert with mvToPos() and mvToVec3(), subtract with mvSubPos().
+ * A point of contact.
  */
-typedef struct mvPos {
-    mvFloat x;
-    mvFloat y;
-    mvFloat z;
-} mvPos;
+typedef struct mvManifoldPoint {
+    /**
+     * Where, at the start of the last step [m].
+     */
+    mvPos point;
+    /**
+     * The point, from the centre of mass of body A, in world axes [m].
+     */
+    mvVec3 anchorA;
+    /**
+     * The point, from the centre of mass of body B, in world axes [m].
+     */
+    mvVec3 anchorB;
+    /**
+     * The gap between the surfaces at the start of the last step, negative where they overlap [m].
+     */
+    mvFloat separation;
+    /**
+     * The impulse along the normal in the last sub-step [N s].
+     */
+    mvFloat normalImpulse;
+    /**
+     * The sum of the impulses along the normal over the last step [N s].
+     */
+    mvFloat totalNormalImpulse;
+    /**
+     * The velocity along the normal at the start of the last step, negative when approaching [m/s].
+     */
+    mvFloat normalVelocity;
+    /**
+     * Which features of the shapes meet; the same number in the next step means the same features.
+     */
+    uint32_t featureId;
+} mvManifoldPoint;
+
+/**
+ * The points of contact that share a normal.
+ */
+typedef struct mvManifold {
+    /**
+     * The points, the first pointCount of them.
+     */
+    mvManifoldPoint points[4];
+    /**
+     * The normal from shape A to shape B, of length 1.
+     */
+    mvVec3 normal;
+    /**
+     * The sum of the friction impulses on body B over the last step [N s].
+     */
+    mvVec3 frictionImpulse;
+    /**
+     * The number of points, 0 to 4.
+     */
+    int pointCount;
+} mvManifold;
+
+/**
+ * Two touching shapes.
+ */
+typedef struct mvContactData {
+    /**
+     * The contact.
+     */
+    mvContactId contactId;
+    /**
+     * The first shape.
+     */
+    mvShapeId shapeIdA;
+    /**
+     * The second shape.
+     */
+    mvShapeId shapeIdB;
+    /**
+     * The manifolds. Valid until the next step, or until the world is destroyed.
+     */
+    const mvManifold *manifolds;
+    /**
+     * The number of manifolds.
+     */
+    int manifoldCount;
+} mvContactData;
+
+/**
+ * A 3 by 3 matrix, by columns.
+ */
+typedef struct mvMatrix3 {
+    mvVec3 cx;
+    mvVec3 cy;
+    mvVec3 cz;
+} mvMatrix3;
+
+/**
+ * Mass, centre of mass and inertia.
+ */
+typedef struct mvMassData {
+    /**
+     * The mass [kg].
+     */
+    mvFloat mass;
+    /**
+     * The centre of mass in the frame of the shape or body [m].
+     */
+    mvVec3 center;
+    /**
+     * The inertia about the centre of mass, in the axes of the shape or body [kg m^2].
+     */
+    mvMatrix3 inertia;
+} mvMassData;
 
 /**
  * A rigid placement in the world: rotate by q, then shift to p.
@@ -183,6 +456,516 @@ typedef struct mvWorldTransform {
     mvPos p;
     mvQuat q;
 } mvWorldTransform;
+
+/**
+ * Mixes the friction of two materials: called for every contact in every step, on the stepping thread, once for
+ * sliding and once for static friction. A result that is not a number >= 0 counts as 0.
+ */
+typedef mvFloat (*mvFrictionCallback)(mvFloat frictionA,
+                                      uint64_t userMaterialIdA,
+                                      mvFloat frictionB,
+                                      uint64_t userMaterialIdB,
+                                      void *context);
+
+/**
+ * Mixes the restitution of two materials: called for every contact in every step, on the stepping thread. A result
+ * that is not a number from 0 to 1 is moved there.
+ */
+typedef mvFloat (*mvRestitutionCallback)(mvFloat restitutionA,
+                                         uint64_t userMaterialIdA,
+                                         mvFloat restitutionB,
+                                         uint64_t userMaterialIdB,
+                                         void *context);
+
+/**
+ * The solver of contacts: one of the mv_solver... constants.
+ */
+typedef int32_t mvSolverKind;
+
+/**
+ * How bodies are moved through a sub-step: one of the mv_integrator... constants.
+ */
+typedef int32_t mvIntegratorKind;
+
+/**
+ * How pairs of close shapes are found: one of the mv_broadPhase... constants. All find the same pairs.
+ */
+typedef int32_t mvBroadPhaseKind;
+
+/**
+ * How contact points of two shapes are found: one of the mv_narrowPhase... constants.
+ */
+typedef int32_t mvNarrowPhaseKind;
+
+/**
+ * How contact points are chosen where there are more than four: one of the mv_manifold... constants.
+ */
+typedef int32_t mvManifoldKind;
+
+/**
+ * What a world is made from. Made by mvDefaultWorldDef().
+ */
+typedef struct mvWorldDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * Gravity [m/s^2]; default (0, -10, 0).
+     */
+    mvVec3 gravity;
+    /**
+     * Collisions up to this approach speed do not bounce [m/s], >= 0; default 0.1.
+     */
+    mvFloat restitutionThreshold;
+    /**
+     * Collisions above this approach speed make hit events [m/s], >= 0; default 1.
+     */
+    mvFloat hitEventThreshold;
+    /**
+     * How stiff contacts are against overlap, as a fraction of the sub-step rate, > 0 and at most 0.5; default 0.125.
+     */
+    mvFloat contactStiffness;
+    /**
+     * How strongly the recovery of overlap is damped, > 0; 1 is critical; default 10.
+     */
+    mvFloat contactDampingRatio;
+    /**
+     * The greatest speed at which overlap is pushed out [m/s], >= 0; default 3.
+     */
+    mvFloat contactSpeed;
+    /**
+     * The greatest speed of a body [m/s], > 0; default infinity, no limit.
+     */
+    mvFloat maximumLinearSpeed;
+    /**
+     * Mixes friction instead of the default, the geometric mean; may be null.
+     */
+    mvFrictionCallback frictionCallback;
+    /**
+     * Passed to frictionCallback.
+     */
+    void *frictionContext;
+    /**
+     * Mixes restitution instead of the default, the greater one; may be null.
+     */
+    mvRestitutionCallback restitutionCallback;
+    /**
+     * Passed to restitutionCallback.
+     */
+    void *restitutionContext;
+    /**
+     * Whether bodies at rest fall asleep; default true.
+     */
+    bool enableSleep;
+    /**
+     * Whether contact impulses are kept from step to step; default true. Off is for experiments.
+     */
+    bool enableWarmStarting;
+    /**
+     * Whether steady loads are remembered, so that stacks rest without overlap; default true. Off is for experiments.
+     */
+    bool enableLoadMemory;
+    /**
+     * How many threads step the world. Only 1, the default, is built yet.
+     */
+    uint32_t workerCount;
+    /**
+     * Anything: mvWorld_GetUserData().
+     */
+    void *userData;
+    /**
+     * The relative error aimed at, >= 0; default 0: exactly the sub-steps asked for. Only 0 is built yet.
+     */
+    mvFloat accuracy;
+    /**
+     * The contact solver; default mv_solver_auto.
+     */
+    mvSolverKind solver;
+    /**
+     * The integrator; default mv_integrator_auto.
+     */
+    mvIntegratorKind integrator;
+    /**
+     * The broad phase; default mv_broadPhase_auto.
+     */
+    mvBroadPhaseKind broadPhase;
+    /**
+     * The narrow phase; default mv_narrowPhase_auto.
+     */
+    mvNarrowPhaseKind narrowPhase;
+    /**
+     * The choice of contact points; default mv_manifold_auto.
+     */
+    mvManifoldKind manifold;
+} mvWorldDef;
+
+/**
+ * What a surface does in contact.
+ */
+typedef struct mvSurfaceMaterial {
+    /**
+     * The coefficient of sliding friction, >= 0; default 0.6. A pair has the geometric mean.
+     */
+    mvFloat friction;
+    /**
+     * The coefficient of static friction; negative, the default, means that of sliding. A pair has the geometric mean.
+     */
+    mvFloat staticFriction;
+    /**
+     * The coefficient of restitution, 0 to 1; default 0. A pair has the greater one.
+     */
+    mvFloat restitution;
+    /**
+     * The resistance to rolling, as a fraction of the radius by which the pressure is ahead, >= 0; default 0. A pair
+     * has the greater one.
+     */
+    mvFloat rollingResistance;
+    /**
+     * The velocity of the surface as that of a conveyor belt, in the body's frame [m/s].
+     */
+    mvVec3 tangentVelocity;
+    /**
+     * Anything; passed to mixing callbacks and given with hits.
+     */
+    uint64_t userMaterialId;
+    /**
+     * A colour for drawing, 0xRRGGBB; 0 means none.
+     */
+    uint32_t customColor;
+} mvSurfaceMaterial;
+
+/**
+ * Which shapes collide: each one's mask must hold a category of the other, unless they share a group.
+ */
+typedef struct mvFilter {
+    /**
+     * What the shape is; default all bits.
+     */
+    uint64_t categoryBits;
+    /**
+     * What the shape collides with; default all bits.
+     */
+    uint64_t maskBits;
+    /**
+     * Shapes of one group other than 0 always collide if it is positive, and never if it is negative.
+     */
+    int groupIndex;
+} mvFilter;
+
+/**
+ * What a shape is made from, besides its geometry. Made by mvDefaultShapeDef().
+ */
+typedef struct mvShapeDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * A name for people, in UTF-8; null for none. Copied.
+     */
+    const char *name;
+    /**
+     * Anything: mvShape_GetUserData().
+     */
+    void *userData;
+    /**
+     * The surface.
+     */
+    mvSurfaceMaterial baseMaterial;
+    /**
+     * The density [kg/m^3], >= 0; default 1000.
+     */
+    mvFloat density;
+    /**
+     * What the shape collides with; default everything.
+     */
+    mvFilter filter;
+    /**
+     * Whether the custom filter callback is asked about this shape; default false.
+     */
+    bool enableCustomFiltering;
+    /**
+     * Whether contacts of this shape make begin and end events; one of the two shapes is enough; default true.
+     */
+    bool enableContactEvents;
+    /**
+     * Whether contacts of this shape make hit events; one of the two shapes is enough; default false.
+     */
+    bool enableHitEvents;
+    /**
+     * Whether the pre-solve callback is asked about contacts of this shape; default false.
+     */
+    bool enablePreSolveEvents;
+    /**
+     * Whether making the shape updates the mass of its body; default true.
+     */
+    bool updateBodyMass;
+} mvShapeDef;
+
+/**
+ * Which shapes a query sees: its mask must hold a category of the shape and the shape's mask one of the query.
+ */
+typedef struct mvQueryFilter {
+    /**
+     * What the query is; default all bits.
+     */
+    uint64_t categoryBits;
+    /**
+     * What the query sees; default all bits.
+     */
+    uint64_t maskBits;
+} mvQueryFilter;
+
+/**
+ * The kind of a failure: one of the mv_error... constants. Numbers are never reused.
+ */
+typedef int32_t mvErrorCode;
+
+/**
+ * Hears the message of every failing call, in UTF-8, on the thread that made the call. The message is valid
+ * during the callback only.
+ */
+typedef void (*mvLogFcn)(const char *message);
+
+/**
+ * Hears of internal faults: what was violated and where, in UTF-8, valid during the callback only. The return
+ * value is reserved: return 0.
+ */
+typedef int (*mvAssertFcn)(const char *condition, const char *fileName, int lineNumber);
+
+/**
+ * A body moved in the last step, or fell asleep.
+ */
+typedef struct mvBodyMoveEvent {
+    /**
+     * The body's user data.
+     */
+    void *userData;
+    /**
+     * Where the body is now.
+     */
+    mvWorldTransform transform;
+    /**
+     * The body.
+     */
+    mvBodyId bodyId;
+    /**
+     * Whether the body fell asleep in the last step.
+     */
+    bool fellAsleep;
+} mvBodyMoveEvent;
+
+/**
+ * The bodies that a step moved.
+ */
+typedef struct mvBodyEvents {
+    /**
+     * The events, in order of the bodies' places. Valid until the next step.
+     */
+    mvBodyMoveEvent *moveEvents;
+    /**
+     * Their number.
+     */
+    int moveCount;
+} mvBodyEvents;
+
+/**
+ * Two shapes began to touch.
+ */
+typedef struct mvContactBeginTouchEvent {
+    /**
+     * The first shape.
+     */
+    mvShapeId shapeIdA;
+    /**
+     * The second shape.
+     */
+    mvShapeId shapeIdB;
+    /**
+     * The contact.
+     */
+    mvContactId contactId;
+} mvContactBeginTouchEvent;
+
+/**
+ * Two shapes ceased to touch, or one of them was destroyed; then its id is stale.
+ */
+typedef struct mvContactEndTouchEvent {
+    /**
+     * The first shape.
+     */
+    mvShapeId shapeIdA;
+    /**
+     * The second shape.
+     */
+    mvShapeId shapeIdB;
+    /**
+     * The contact.
+     */
+    mvContactId contactId;
+} mvContactEndTouchEvent;
+
+/**
+ * Two shapes hit each other faster than the world's threshold.
+ */
+typedef struct mvContactHitEvent {
+    /**
+     * The first shape.
+     */
+    mvShapeId shapeIdA;
+    /**
+     * The second shape.
+     */
+    mvShapeId shapeIdB;
+    /**
+     * The contact.
+     */
+    mvContactId contactId;
+    /**
+     * Where they hit [m].
+     */
+    mvPos point;
+    /**
+     * The normal from shape A to shape B, of length 1.
+     */
+    mvVec3 normal;
+    /**
+     * How fast they approached [m/s], positive.
+     */
+    mvFloat approachSpeed;
+    /**
+     * The user material of shape A.
+     */
+    uint64_t userMaterialIdA;
+    /**
+     * The user material of shape B.
+     */
+    uint64_t userMaterialIdB;
+} mvContactHitEvent;
+
+/**
+ * What happened to contacts in the last step.
+ */
+typedef struct mvContactEvents {
+    /**
+     * Contacts that began. Valid until the next step.
+     */
+    mvContactBeginTouchEvent *beginEvents;
+    /**
+     * Contacts that ended, by destruction before the step included. Valid until the next step.
+     */
+    mvContactEndTouchEvent *endEvents;
+    /**
+     * Hits. Valid until the next step.
+     */
+    mvContactHitEvent *hitEvents;
+    /**
+     * The number of contacts that began.
+     */
+    int beginCount;
+    /**
+     * The number of contacts that ended.
+     */
+    int endCount;
+    /**
+     * The number of hits.
+     */
+    int hitCount;
+} mvContactEvents;
+
+/**
+ * A ball.
+ */
+typedef struct mvSphere {
+    /**
+     * The centre [m].
+     */
+    mvVec3 center;
+    /**
+     * The radius [m], at least 1e-5.
+     */
+    mvFloat radius;
+} mvSphere;
+
+/**
+ * All points within a radius of a segment.
+ */
+typedef struct mvCapsule {
+    /**
+     * The centre of one end [m].
+     */
+    mvVec3 center1;
+    /**
+     * The centre of the other end [m], at least 1e-5 from the first.
+     */
+    mvVec3 center2;
+    /**
+     * The radius [m], at least 1e-5.
+     */
+    mvFloat radius;
+} mvCapsule;
+
+/**
+ * A rigid placement: rotate by q, then shift by p.
+ */
+typedef struct mvTransform {
+    mvVec3 p;
+    mvQuat q;
+} mvTransform;
+
+/**
+ * A ray to be cast at a shape, in the shape's frame.
+ */
+typedef struct mvRayCastInput {
+    /**
+     * Where the ray starts [m].
+     */
+    mvVec3 origin;
+    /**
+     * From the start to the end of the ray [m].
+     */
+    mvVec3 translation;
+    /**
+     * The greatest fraction of the translation to consider, not negative; usually 1.
+     */
+    mvFloat maxFraction;
+} mvRayCastInput;
+
+/**
+ * Where a ray or a moving shape hits a shape.
+ */
+typedef struct mvCastOutput {
+    /**
+     * The outward normal of the surface at the point, of length 1.
+     */
+    mvVec3 normal;
+    /**
+     * The point on the surface [m].
+     */
+    mvVec3 point;
+    /**
+     * The fraction of the translation travelled.
+     */
+    mvFloat fraction;
+    /**
+     * The number of iterations used; 0 where the answer is a closed form.
+     */
+    int iterations;
+    /**
+     * Whether there was a hit. If not, everything else is zero.
+     */
+    bool hit;
+} mvCastOutput;
+
+/**
+ * A plane: the points whose dot product with the unit normal equals the offset. The distance of a point from
+ * it is dot(normal, point) - offset, positive on the side the normal points to.
+ */
+typedef struct mvPlane {
+    mvVec3 normal;
+    mvFloat offset;
+} mvPlane;
 
 /**
  * Cosine and sine of one angle.
@@ -215,6 +998,219 @@ typedef struct mvSegmentDistanceResult {
 } mvSegmentDistanceResult;
 
 /**
+ * What a shape is: one of the mv_...Shape constants. Boxes are hulls.
+ */
+typedef int32_t mvShapeType;
+
+/**
+ * Where a ray or a moving shape hits a shape of a world.
+ */
+typedef struct mvWorldCastOutput {
+    /**
+     * The outward normal of the surface at the point, of length 1.
+     */
+    mvVec3 normal;
+    /**
+     * The point on the surface [m].
+     */
+    mvPos point;
+    /**
+     * The fraction of the translation travelled.
+     */
+    mvFloat fraction;
+    /**
+     * The number of iterations used; 0 where the answer is a closed form.
+     */
+    int iterations;
+    /**
+     * Whether there was a hit. If not, everything else is zero.
+     */
+    bool hit;
+} mvWorldCastOutput;
+
+/**
+ * Decides whether two shapes may collide. Asked on the stepping thread, when their boxes meet and one of them has
+ * enableCustomFiltering. The world may be read but not changed.
+ *
+ * @return false to let them pass through each other
+ */
+typedef bool (*mvCustomFilterFcn)(mvShapeId shapeIdA, mvShapeId shapeIdB, void *context);
+
+/**
+ * Decides whether a contact acts in this step. Asked on the stepping thread, in every step in which the shapes
+ * touch or nearly do and one of them has enablePreSolveEvents. The world may be read but not changed.
+ *
+ * @param point one of the points of contact
+ * @param normal from shape A to shape B, of length 1
+ * @return false to let the shapes pass through each other in this step
+ */
+typedef bool (*mvPreSolveFcn)(mvShapeId shapeIdA,
+                              mvShapeId shapeIdB,
+                              mvPos point,
+                              mvVec3 normal,
+                              void *context);
+
+/**
+ * How overlap of contacts is recovered.
+ */
+typedef struct mvContactTuning {
+    /**
+     * How stiff contacts are, as a fraction of the sub-step rate.
+     */
+    mvFloat stiffness;
+    /**
+     * How strongly recovery is damped; 1 is critical.
+     */
+    mvFloat dampingRatio;
+    /**
+     * The greatest speed at which overlap is pushed out [m/s].
+     */
+    mvFloat contactSpeed;
+} mvContactTuning;
+
+/**
+ * Milliseconds of the last step, by stage.
+ */
+typedef struct mvProfile {
+    /**
+     * The whole step.
+     */
+    float step;
+    /**
+     * Boxes around shapes.
+     */
+    float updateBounds;
+    /**
+     * Pairs of shapes whose boxes meet.
+     */
+    float pairs;
+    /**
+     * Contact points.
+     */
+    float collide;
+    /**
+     * Islands.
+     */
+    float islands;
+    /**
+     * Laying out the constraints.
+     */
+    float prepare;
+    /**
+     * Solving, all sub-steps.
+     */
+    float solve;
+    /**
+     * Moving the bodies.
+     */
+    float transforms;
+    /**
+     * Falling asleep.
+     */
+    float sleep;
+    /**
+     * Events.
+     */
+    float events;
+} mvProfile;
+
+/**
+ * How much there is of everything.
+ */
+typedef struct mvCounters {
+    /**
+     * Bodies of all types.
+     */
+    int bodyCount;
+    /**
+     * Awake bodies, kinematic ones included.
+     */
+    int awakeBodyCount;
+    /**
+     * Shapes.
+     */
+    int shapeCount;
+    /**
+     * Pairs of shapes whose boxes meet.
+     */
+    int contactCount;
+    /**
+     * Contacts that acted in the last step.
+     */
+    int constraintCount;
+    /**
+     * Those of them that had to be solved one by one.
+     */
+    int overflowCount;
+    /**
+     * Islands that are awake.
+     */
+    int islandCount;
+    /**
+     * The longest way through the trees of the broad phase.
+     */
+    int treeHeight;
+    /**
+     * Bytes that the world holds.
+     */
+    int64_t byteCount;
+} mvCounters;
+
+/**
+ * Conserved quantities and errors of a world, as it is now.
+ */
+typedef struct mvStepReport {
+    /**
+     * Energy of translation and rotation of the dynamic bodies [J].
+     */
+    double kineticEnergy;
+    /**
+     * Energy of the dynamic bodies in the field of gravity, zero at the world's origin [J].
+     */
+    double potentialEnergy;
+    /**
+     * Sum of the momenta: x, y, z [kg m/s].
+     */
+    double linearMomentum[3];
+    /**
+     * Sum of the angular momenta about the world's origin: x, y, z [kg m^2/s].
+     */
+    double angularMomentum[3];
+    /**
+     * The deepest overlap of any contact [m].
+     */
+    mvFloat worstPenetration;
+    /**
+     * The greatest approach speed left at a loaded contact point [m/s].
+     */
+    mvFloat residual;
+    /**
+     * The sub-steps of the last step.
+     */
+    int subStepCount;
+    /**
+     * The solver of the last step: one of the mv_solver... constants.
+     */
+    mvSolverKind solver;
+    /**
+     * Steps so far.
+     */
+    int64_t stepCount;
+    /**
+     * Bodies put to rest because their state stopped being finite.
+     */
+    int64_t quarantinedCount;
+    /**
+     * How much there is of everything.
+     */
+    mvCounters counters;
+    /**
+     * Milliseconds of the last step.
+     */
+    mvProfile profile;
+} mvStepReport;
+
+/**
  * A vector or point in two dimensions.
  */
 typedef struct mvVec2 {
@@ -223,76 +1219,44 @@ typedef struct mvVec2 {
 } mvVec2;
 
 /**
- * A world. Zero is null.
+ * Never moves by itself; nothing pushes it.
  */
-typedef struct mvWorldId {
-    /**
-     * The place among the worlds, counted from 1; 0 is null.
-     */
-    uint16_t index1;
-    /**
-     * How often that place has been used.
-     */
-    uint16_t generation;
-} mvWorldId;
+#define mv_staticBody 0
 
 /**
- * A body. Zero is null.
+ * Moves with the velocity it is given; nothing pushes it.
  */
-typedef struct mvBodyId {
-    /**
-     * The place among the bodies of its world, counted from 1; 0 is null.
-     */
-    int32_t index1;
-    /**
-     * The place of its world among the worlds, counted from 0.
-     */
-    uint16_t world0;
-    /**
-     * How often that place has been used.
-     */
-    uint16_t generation;
-} mvBodyId;
+#define mv_kinematicBody 1
 
 /**
- * A shape attached to a body. Zero is null.
+ * Moves by forces and contacts.
  */
-typedef struct mvShapeId {
-    /**
-     * The place among the shapes of its world, counted from 1; 0 is null.
-     */
-    int32_t index1;
-    /**
-     * The place of its world among the worlds, counted from 0.
-     */
-    uint16_t world0;
-    /**
-     * How often that place has been used.
-     */
-    uint16_t generation;
-} mvShapeId;
+#define mv_dynamicBody 2
 
 /**
- * A contact of two shapes: from the step in which their boxes meet to the one in which they part. Zero is null.
+ * What the library thinks best.
  */
-typedef struct mvContactId {
-    /**
-     * The place among the contacts of its world, counted from 1; 0 is null.
-     */
-    int32_t index1;
-    /**
-     * The place of its world among the worlds, counted from 0.
-     */
-    uint16_t world0;
-    /**
-     * Zero.
-     */
-    int16_t padding;
-    /**
-     * How often that place has been used.
-     */
-    uint32_t generation;
-} mvContactId;
+#define mv_solver_auto 0
+
+/**
+ * What the library thinks best.
+ */
+#define mv_integrator_auto 0
+
+/**
+ * What the library thinks best.
+ */
+#define mv_broadPhase_auto 0
+
+/**
+ * What the library thinks best.
+ */
+#define mv_narrowPhase_auto 0
+
+/**
+ * What the library thinks best.
+ */
+#define mv_manifold_auto 0
 
 /**
  * No call of this thread has failed since the last mvGetLastError().
@@ -364,6 +1328,51 @@ typedef struct mvContactId {
  */
 #define mv_errorInternal 13
 
+/**
+ * Soft contacts, sub-steps instead of iterations.
+ */
+#define mv_solver_softStep 1
+
+/**
+ * All pairs are looked at: slow, simple, a yardstick.
+ */
+#define mv_broadPhase_bruteForce 1
+
+/**
+ * Trees of boxes that follow the motion.
+ */
+#define mv_broadPhase_dynamicBvh 2
+
+/**
+ * Closed forms and separating axes.
+ */
+#define mv_narrowPhase_specialised 1
+
+/**
+ * Iterative distance and penetration: a cross-check by another way.
+ */
+#define mv_narrowPhase_gjkEpa 2
+
+/**
+ * All points within a radius of a segment.
+ */
+#define mv_capsuleShape 0
+
+/**
+ * A convex solid with flat faces, boxes included.
+ */
+#define mv_hullShape 3
+
+/**
+ * A ball.
+ */
+#define mv_sphereShape 5
+
+/**
+ * Everything below a plane.
+ */
+#define mv_planeShape 6
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -394,6 +1403,608 @@ MV_API bool mvIsDoublePrecision(void);
  * @return the hash; 0 for bad arguments
  */
 MV_API uint32_t mvHash(uint32_t hash, const uint8_t *data, int count);
+
+/**
+ * Create a body. It has no mass before it has a shape with a density, or mass data of its own.
+ *
+ * @param worldId the world
+ * @param def the definition, from mvDefaultBodyDef()
+ * @return the body; null for bad arguments
+ * @note Errors: mv_errorDefinition, mv_errorNotFinite, mv_errorRange.
+ */
+MV_API mvBodyId mvCreateBody(mvWorldId worldId, const mvBodyDef *def);
+
+/**
+ * Destroy a body with its shapes. What it touched wakes up.
+ * @param bodyId the body
+ */
+MV_API void mvDestroyBody(mvBodyId bodyId);
+
+/**
+ * Does this id name a body that lives? Never fails; false also while another thread changes the world.
+ */
+MV_API bool mvBody_IsValid(mvBodyId id);
+
+/**
+ * Get the world that a body lives in.
+ * @param bodyId the body
+ * @return the world; null for a bad body
+ */
+MV_API mvWorldId mvBody_GetWorld(mvBodyId bodyId);
+
+/**
+ * Get how a body moves.
+ * @param bodyId the body
+ * @return mv_staticBody, mv_kinematicBody or mv_dynamicBody; mv_staticBody for a bad body
+ */
+MV_API mvBodyType mvBody_GetType(mvBodyId bodyId);
+
+/**
+ * Change how a body moves. Its mass becomes that of its shapes again; a static body stands still.
+ * @param bodyId the body
+ * @param type mv_staticBody, mv_kinematicBody or mv_dynamicBody
+ * @note Errors: mv_errorRange, also when a plane would move.
+ */
+MV_API void mvBody_SetType(mvBodyId bodyId, mvBodyType type);
+
+/**
+ * Set the name of a body.
+ * @param bodyId the body
+ * @param name UTF-8, copied; null for none
+ * @note Errors: mv_errorRange when the name is not UTF-8.
+ */
+MV_API void mvBody_SetName(mvBodyId bodyId, const char *name);
+
+/**
+ * Get the name of a body.
+ * @param bodyId the body
+ * @return UTF-8, empty for none; null for a bad body. Valid until the name is changed or the body destroyed.
+ */
+MV_API const char *mvBody_GetName(mvBodyId bodyId);
+
+/**
+ * Set the user data of a body.
+ * @param bodyId the body
+ * @param userData anything; it is never followed
+ */
+MV_API void mvBody_SetUserData(mvBodyId bodyId, void *userData);
+
+/**
+ * Get the user data of a body.
+ * @param bodyId the body
+ * @return what was set; null for a bad body
+ */
+MV_API void *mvBody_GetUserData(mvBodyId bodyId);
+
+/**
+ * Does the next step move this body?
+ * @param bodyId the body
+ */
+MV_API bool mvBody_IsAwake(mvBodyId bodyId);
+
+/**
+ * Wake a body and what it touches, or put them to sleep, whatever their speed. Only dynamic bodies sleep.
+ * @param bodyId the body
+ * @param awake whether to wake or to put to sleep
+ */
+MV_API void mvBody_SetAwake(mvBodyId bodyId, bool awake);
+
+/**
+ * Let a body fall asleep, or wake it and keep it awake.
+ * @param bodyId the body
+ * @param enableSleep whether the body may sleep
+ */
+MV_API void mvBody_EnableSleep(mvBodyId bodyId, bool enableSleep);
+
+/**
+ * May this body fall asleep?
+ * @param bodyId the body
+ */
+MV_API bool mvBody_IsSleepEnabled(mvBodyId bodyId);
+
+/**
+ * Set the speed below which a body may fall asleep.
+ * @param bodyId the body
+ * @param sleepThreshold the speed [m/s], >= 0
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvBody_SetSleepThreshold(mvBodyId bodyId, mvFloat sleepThreshold);
+
+/**
+ * Get the speed below which a body may fall asleep.
+ * @param bodyId the body
+ * @return the speed [m/s]; 0 for a bad body
+ */
+MV_API mvFloat mvBody_GetSleepThreshold(mvBodyId bodyId);
+
+/**
+ * Does this body take part in the world?
+ * @param bodyId the body
+ */
+MV_API bool mvBody_IsEnabled(mvBodyId bodyId);
+
+/**
+ * Take a body out of the world, keeping its state. What it touched wakes up.
+ * @param bodyId the body
+ */
+MV_API void mvBody_Disable(mvBodyId bodyId);
+
+/**
+ * Put a body back into the world, awake.
+ * @param bodyId the body
+ */
+MV_API void mvBody_Enable(mvBodyId bodyId);
+
+/**
+ * Set the directions in which a body cannot move; its velocity along them becomes 0. Only dynamic bodies have
+ * locks.
+ * @param bodyId the body
+ * @param locks the directions
+ * @note Errors: mv_errorRange for a lock that is neither true nor false.
+ */
+MV_API void mvBody_SetMotionLocks(mvBodyId bodyId, mvMotionLocks locks);
+
+/**
+ * Get the directions in which a body cannot move.
+ * @param bodyId the body
+ */
+MV_API mvMotionLocks mvBody_GetMotionLocks(mvBodyId bodyId);
+
+/**
+ * Make hit events for contacts of all shapes that a body has now, or not.
+ * @param bodyId the body
+ * @param flag whether to make them
+ */
+MV_API void mvBody_EnableHitEvents(mvBodyId bodyId, bool flag);
+
+/**
+ * Get the number of shapes of a body.
+ * @param bodyId the body
+ */
+MV_API int mvBody_GetShapeCount(mvBodyId bodyId);
+
+/**
+ * Get the shapes of a body, in the order in which they were made.
+ * @param bodyId the body
+ * @param shapeArray filled with the shapes; may be null
+ * @param capacity the room in the array, >= 0
+ * @return how many were written
+ * @note Errors: mv_errorRange.
+ */
+MV_API int mvBody_GetShapes(mvBodyId bodyId, mvShapeId *shapeArray, int capacity);
+
+/**
+ * Get the box around all shapes of a body; around its origin when it has none.
+ * @param bodyId the body
+ * @return the box; zero for a bad body
+ */
+MV_API mvAABB mvBody_ComputeAABB(mvBodyId bodyId);
+
+/**
+ * Get an upper bound for the number of a body's touching contacts.
+ * @param bodyId the body
+ */
+MV_API int mvBody_GetContactCapacity(mvBodyId bodyId);
+
+/**
+ * Get the touching contacts of a body, as of the last step.
+ * @param bodyId the body
+ * @param contactData filled with the contacts; may be null
+ * @param capacity the room in the array, >= 0
+ * @return how many were written
+ * @note Errors: mv_errorRange.
+ */
+MV_API int mvBody_GetContactData(mvBodyId bodyId, mvContactData *contactData, int capacity);
+
+/**
+ * Get the mass of a body.
+ * @param bodyId the body
+ * @return the mass [kg]; 0 for a body without mass or a bad one
+ */
+MV_API mvFloat mvBody_GetMass(mvBodyId bodyId);
+
+/**
+ * Get one divided by the mass of a body.
+ * @param bodyId the body
+ * @return the inverse mass [1/kg]; 0 for a body without mass or a bad one
+ */
+MV_API mvFloat mvBody_GetInverseMass(mvBodyId bodyId);
+
+/**
+ * Get the inertia of a body about its centre of mass, in the axes of the body.
+ * @param bodyId the body
+ * @return the inertia [kg m^2]; zero for a body without mass or a bad one
+ */
+MV_API mvMatrix3 mvBody_GetLocalRotationalInertia(mvBodyId bodyId);
+
+/**
+ * Get the inverse of the inertia of a body about its centre of mass, in world axes. Locked axes count as infinite
+ * inertia.
+ * @param bodyId the body
+ * @return the inverse inertia [1/(kg m^2)]; zero for a body without mass or a bad one
+ */
+MV_API
+mvMatrix3 mvBody_GetWorldInverseRotationalInertia(mvBodyId bodyId);
+
+/**
+ * Get the centre of mass of a body, in the body's frame.
+ * @param bodyId the body
+ * @return the centre [m]; zero for a bad body
+ */
+MV_API mvVec3 mvBody_GetLocalCenter(mvBodyId bodyId);
+
+/**
+ * Get the centre of mass of a body, in the world.
+ * @param bodyId the body
+ * @return the centre [m]; zero for a bad body
+ */
+MV_API mvPos mvBody_GetWorldCenter(mvBodyId bodyId);
+
+/**
+ * Give a dynamic body a mass of its own. Shapes no longer change it until mvBody_ApplyMassFromShapes() or
+ * mvBody_SetType().
+ * @param bodyId the body
+ * @param massData mass, centre of mass in the body's frame, inertia about that centre in the body's axes
+ * @note Errors: mv_errorNotFinite, mv_errorRange for a body that is not dynamic, a negative mass or an inertia that no
+ * solid has, mv_errorDegenerate.
+ */
+MV_API
+void mvBody_SetMassData(mvBodyId bodyId,
+                        mvMassData massData);
+
+/**
+ * Get mass, centre of mass and inertia of a body.
+ * @param bodyId the body
+ * @return the figures; zero for a body without mass or a bad one
+ */
+MV_API mvMassData mvBody_GetMassData(mvBodyId bodyId);
+
+/**
+ * Make the mass of a body that of its shapes: after mvBody_SetMassData(), or after shapes were made, changed or
+ * destroyed without updating it.
+ * @param bodyId the body
+ */
+MV_API
+void mvBody_ApplyMassFromShapes(mvBodyId bodyId);
+
+/**
+ * Set the fraction of a body's velocity lost per second, for small values.
+ * @param bodyId the body
+ * @param linearDamping the value [1/s], >= 0
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvBody_SetLinearDamping(mvBodyId bodyId, mvFloat linearDamping);
+
+/**
+ * Get the fraction of a body's velocity lost per second, for small values.
+ * @param bodyId the body
+ * @return the value [1/s]; 0 for a bad body
+ */
+MV_API mvFloat mvBody_GetLinearDamping(mvBodyId bodyId);
+
+/**
+ * Set the fraction of a body's angular velocity lost per second, for small values.
+ * @param bodyId the body
+ * @param angularDamping the value [1/s], >= 0
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvBody_SetAngularDamping(mvBodyId bodyId, mvFloat angularDamping);
+
+/**
+ * Get the fraction of a body's angular velocity lost per second, for small values.
+ * @param bodyId the body
+ * @return the value [1/s]; 0 for a bad body
+ */
+MV_API mvFloat mvBody_GetAngularDamping(mvBodyId bodyId);
+
+/**
+ * Set the factor on gravity of a body.
+ * @param bodyId the body
+ * @param gravityScale the value
+ * @note Errors: mv_errorNotFinite.
+ */
+MV_API void mvBody_SetGravityScale(mvBodyId bodyId, mvFloat gravityScale);
+
+/**
+ * Get the factor on gravity of a body.
+ * @param bodyId the body
+ * @return the value; 0 for a bad body
+ */
+MV_API mvFloat mvBody_GetGravityScale(mvBodyId bodyId);
+
+/**
+ * Get the position of a body's origin.
+ * @param bodyId the body
+ * @return the position [m]; zero for a bad body
+ */
+MV_API mvPos mvBody_GetPosition(mvBodyId bodyId);
+
+/**
+ * Get the rotation of a body.
+ * @param bodyId the body
+ * @return the rotation; the identity for a bad body
+ */
+MV_API mvQuat mvBody_GetRotation(mvBodyId bodyId);
+
+/**
+ * Get where a body is: the position of its origin, and its rotation.
+ * @param bodyId the body
+ * @return the placement; the identity for a bad body
+ */
+MV_API mvWorldTransform mvBody_GetTransform(mvBodyId bodyId);
+
+/**
+ * Move a body at once, without regard for what is in the way. Its velocity stays; what it touched wakes up.
+ * @param bodyId the body
+ * @param position where its origin goes [m]
+ * @param rotation its new rotation, of length 1
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvBody_SetTransform(mvBodyId bodyId, mvPos position, mvQuat rotation);
+
+/**
+ * Give a body the velocity that takes it to a placement in a given time. Meant for kinematic bodies.
+ * @param bodyId the body
+ * @param target where its origin shall go
+ * @param timeStep in which time [s], > 0
+ * @param wake whether to wake the body; a sleeping body is left alone otherwise
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+void mvBody_SetTargetTransform(mvBodyId bodyId,
+                               mvWorldTransform target,
+                               mvFloat timeStep,
+                               bool wake);
+
+/**
+ * Get a point of the world as seen from a body.
+ * @param bodyId the body
+ * @param worldPoint the point [m]
+ * @return the point in the body's frame; zero for bad arguments
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API mvVec3 mvBody_GetLocalPoint(mvBodyId bodyId, mvPos worldPoint);
+
+/**
+ * Get a point of a body as seen from the world.
+ * @param bodyId the body
+ * @param localPoint the point in the body's frame [m]
+ * @return the point in the world; zero for bad arguments
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API mvPos mvBody_GetWorldPoint(mvBodyId bodyId, mvVec3 localPoint);
+
+/**
+ * Get a vector of the world as seen from a body.
+ * @param bodyId the body
+ * @param worldVector the vector
+ * @return the vector in the body's frame; zero for bad arguments
+ * @note Errors: mv_errorNotFinite.
+ */
+MV_API mvVec3 mvBody_GetLocalVector(mvBodyId bodyId, mvVec3 worldVector);
+
+/**
+ * Get a vector of a body as seen from the world.
+ * @param bodyId the body
+ * @param localVector the vector in the body's frame
+ * @return the vector in the world; zero for bad arguments
+ * @note Errors: mv_errorNotFinite.
+ */
+MV_API mvVec3 mvBody_GetWorldVector(mvBodyId bodyId, mvVec3 localVector);
+
+/**
+ * Get the velocity of a point of a body.
+ * @param bodyId the body
+ * @param localPoint the point in the body's frame [m]
+ * @return the velocity in world axes [m/s]; zero for bad arguments
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API mvVec3 mvBody_GetLocalPointVelocity(mvBodyId bodyId, mvVec3 localPoint);
+
+/**
+ * Get the velocity of the point of a body that is at a point of the world.
+ * @param bodyId the body
+ * @param worldPoint the point [m]
+ * @return the velocity in world axes [m/s]; zero for bad arguments
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API mvVec3 mvBody_GetWorldPointVelocity(mvBodyId bodyId, mvPos worldPoint);
+
+/**
+ * Get the velocity of a body's centre of mass.
+ * @param bodyId the body
+ * @return the velocity [m/s]; zero for a bad body
+ */
+MV_API mvVec3 mvBody_GetLinearVelocity(mvBodyId bodyId);
+
+/**
+ * Set the velocity of a body's centre of mass. Wakes the body unless it is zero; static bodies stay.
+ * @param bodyId the body
+ * @param linearVelocity the velocity [m/s]
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvBody_SetLinearVelocity(mvBodyId bodyId, mvVec3 linearVelocity);
+
+/**
+ * Get the angular velocity of a body.
+ * @param bodyId the body
+ * @return the angular velocity in world axes [rad/s]; zero for a bad body
+ */
+MV_API mvVec3 mvBody_GetAngularVelocity(mvBodyId bodyId);
+
+/**
+ * Set the angular velocity of a body. Wakes the body unless it is zero; static bodies stay.
+ * @param bodyId the body
+ * @param angularVelocity the angular velocity in world axes [rad/s]
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvBody_SetAngularVelocity(mvBodyId bodyId, mvVec3 angularVelocity);
+
+/**
+ * Get the momentum of a body.
+ * @param bodyId the body
+ * @return the momentum [kg m/s]; zero for a body without mass or a bad one
+ */
+MV_API mvVec3 mvBody_GetMomentum(mvBodyId bodyId);
+
+/**
+ * Set the momentum of a body. Bodies without mass are left alone.
+ * @param bodyId the body
+ * @param momentum the momentum [kg m/s]
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvBody_SetMomentum(mvBodyId bodyId, mvVec3 momentum);
+
+/**
+ * Get the angular momentum of a body about its centre of mass.
+ * @param bodyId the body
+ * @return the angular momentum in world axes [kg m^2/s]; zero for a body without inertia or a bad one
+ */
+MV_API mvVec3 mvBody_GetAngularMomentum(mvBodyId bodyId);
+
+/**
+ * Set the angular momentum of a body about its centre of mass. Bodies without inertia are left alone.
+ * @param bodyId the body
+ * @param angularMomentum the angular momentum in world axes [kg m^2/s]
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvBody_SetAngularMomentum(mvBodyId bodyId, mvVec3 angularMomentum);
+
+/**
+ * Get the energy of a body's translation and rotation.
+ * @param bodyId the body
+ * @return the energy [J]; 0 for a body without mass or a bad one
+ */
+MV_API mvFloat mvBody_GetKineticEnergy(mvBodyId bodyId);
+
+/**
+ * Add a force for the next step. Only awake dynamic bodies feel it.
+ * @param bodyId the body
+ * @param force the force in world axes [N]
+ * @param point where it acts, in the world [m]
+ * @param wake whether to wake the body first
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvBody_ApplyForce(mvBodyId bodyId, mvVec3 force, mvPos point, bool wake);
+
+/**
+ * Add a force at the centre of mass for the next step. Only awake dynamic bodies feel it.
+ * @param bodyId the body
+ * @param force the force in world axes [N]
+ * @param wake whether to wake the body first
+ * @note Errors: mv_errorNotFinite.
+ */
+MV_API void mvBody_ApplyForceToCenter(mvBodyId bodyId, mvVec3 force, bool wake);
+
+/**
+ * Add a torque for the next step. Only awake dynamic bodies feel it.
+ * @param bodyId the body
+ * @param torque the torque in world axes [N m]
+ * @param wake whether to wake the body first
+ * @note Errors: mv_errorNotFinite.
+ */
+MV_API void mvBody_ApplyTorque(mvBodyId bodyId, mvVec3 torque, bool wake);
+
+/**
+ * Change the momentum of a body at once. Only awake dynamic bodies feel it.
+ * @param bodyId the body
+ * @param impulse the change in world axes [N s]
+ * @param point where it acts, in the world [m]
+ * @param wake whether to wake the body first
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+void mvBody_ApplyLinearImpulse(mvBodyId bodyId,
+                               mvVec3 impulse,
+                               mvPos point,
+                               bool wake);
+
+/**
+ * Change the momentum of a body at once, at its centre of mass. Only awake dynamic bodies feel it.
+ * @param bodyId the body
+ * @param impulse the change in world axes [N s]
+ * @param wake whether to wake the body first
+ * @note Errors: mv_errorNotFinite.
+ */
+MV_API void mvBody_ApplyLinearImpulseToCenter(mvBodyId bodyId, mvVec3 impulse, bool wake);
+
+/**
+ * Change the angular momentum of a body at once. Only awake dynamic bodies feel it.
+ * @param bodyId the body
+ * @param impulse the change in world axes [N m s]
+ * @param wake whether to wake the body first
+ * @note Errors: mv_errorNotFinite.
+ */
+MV_API void mvBody_ApplyAngularImpulse(mvBodyId bodyId, mvVec3 impulse, bool wake);
+
+/**
+ * Get placement and velocities of all bodies that the next step moves. An array that is null is skipped.
+ *
+ * @param worldId the world
+ * @param ids filled with the bodies, in no particular order
+ * @param transforms filled with where their origins are
+ * @param linear filled with the velocities of their centres of mass [m/s]
+ * @param angular filled with their angular velocities in world axes [rad/s]
+ * @param capacity the room in each array, >= 0
+ * @return how many such bodies there are, which may be more than the capacity; 0 for bad arguments
+ * @note Errors: mv_errorRange.
+ */
+MV_API
+int mvWorld_GetAwakeBodies(mvWorldId worldId,
+                           mvBodyId *ids,
+                           mvWorldTransform *transforms,
+                           mvVec3 *linear,
+                           mvVec3 *angular,
+                           int capacity);
+
+/**
+ * Move many bodies of one world at once, as mvBody_SetTransform() does with one. If anything is wrong with one of
+ * them, none is moved.
+ *
+ * @param ids the bodies, all of one world
+ * @param transforms where their origins go
+ * @param count how many, >= 0
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+void mvBody_SetTransforms(const mvBodyId *ids,
+                          const mvWorldTransform *transforms,
+                          int count);
+
+/**
+ * Does this contact exist? A contact exists while the boxes of its shapes meet.
+ */
+MV_API bool mvContact_IsValid(mvContactId id);
+
+/**
+ * Get a world definition with the default values.
+ */
+MV_API mvWorldDef mvDefaultWorldDef(void);
+
+/**
+ * Get a body definition with the default values: a static body at the origin.
+ */
+MV_API mvBodyDef mvDefaultBodyDef(void);
+
+/**
+ * Get a shape definition with the default values.
+ */
+MV_API mvShapeDef mvDefaultShapeDef(void);
+
+/**
+ * Get the filter that collides with everything.
+ */
+MV_API mvFilter mvDefaultFilter(void);
+
+/**
+ * Get the query filter that sees everything.
+ */
+MV_API mvQueryFilter mvDefaultQueryFilter(void);
+
+/**
+ * Get the default surface.
+ */
+MV_API mvSurfaceMaterial mvDefaultSurfaceMaterial(void);
 
 /**
  * Get the code of the latest failing call of this thread, and clear it.
@@ -427,6 +2038,275 @@ MV_API void mvSetLogFcn(mvLogFcn logFcn);
  * @param assertFcn the callback, or null for none (the default)
  */
 MV_API void mvSetAssertFcn(mvAssertFcn assertFcn);
+
+/**
+ * Get the bodies that the last step moved or put to sleep.
+ *
+ * @return the events; none for a bad world. Their array stays valid until the next step, whatever else happens
+ * to the bodies, or until the world is destroyed.
+ */
+MV_API
+mvBodyEvents mvWorld_GetBodyEvents(mvWorldId worldId);
+
+/**
+ * Get the contacts that began and ended in the last step, and the hits.
+ *
+ * @return the events; none for a bad world. Their arrays stay valid until the next step, whatever else happens
+ * to the shapes, or until the world is destroyed.
+ */
+MV_API
+mvContactEvents mvWorld_GetContactEvents(mvWorldId worldId);
+
+/**
+ * Get mass, centre of mass and inertia of a solid sphere.
+ *
+ * @param shape the sphere
+ * @param density the density [kg/m^3], not negative
+ * @return the exact figures; zero for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API mvMassData mvComputeSphereMass(const mvSphere *shape, mvFloat density);
+
+/**
+ * Get mass, centre of mass and inertia of a solid capsule.
+ *
+ * @param shape the capsule
+ * @param density the density [kg/m^3], not negative
+ * @return the exact figures; zero for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API mvMassData mvComputeCapsuleMass(const mvCapsule *shape, mvFloat density);
+
+/**
+ * Get mass, centre of mass and inertia of a solid hull.
+ *
+ * @param shape the hull
+ * @param density the density [kg/m^3], not negative
+ * @return the exact figures; zero for bad arguments
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange.
+ */
+MV_API mvMassData mvComputeHullMass(const mvHullData *shape, mvFloat density);
+
+/**
+ * Get the box around a placed sphere.
+ *
+ * @param shape the sphere
+ * @param transform where it is
+ * @return the box; zero for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API mvAABB mvComputeSphereAABB(const mvSphere *shape, mvTransform transform);
+
+/**
+ * Get the box around a placed capsule.
+ *
+ * @param shape the capsule
+ * @param transform where it is
+ * @return the box; zero for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API mvAABB mvComputeCapsuleAABB(const mvCapsule *shape, mvTransform transform);
+
+/**
+ * Get the box around a placed hull.
+ *
+ * @param shape the hull
+ * @param transform where it is
+ * @return the box; zero for bad arguments
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange.
+ */
+MV_API mvAABB mvComputeHullAABB(const mvHullData *shape, mvTransform transform);
+
+/**
+ * Can this ray be cast: are all its numbers finite and in range?
+ */
+MV_API bool mvIsValidRay(const mvRayCastInput *input);
+
+/**
+ * Cast a ray at a sphere. A ray that starts inside does not hit.
+ *
+ * @param shape the sphere
+ * @param input the ray, in the same frame
+ * @return the first hit; no hit for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API mvCastOutput mvRayCastSphere(const mvSphere *shape, const mvRayCastInput *input);
+
+/**
+ * Cast a ray at a capsule. A ray that starts inside does not hit.
+ *
+ * @param shape the capsule
+ * @param input the ray, in the same frame
+ * @return the first hit; no hit for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API
+mvCastOutput mvRayCastCapsule(const mvCapsule *shape,
+                                     const mvRayCastInput *input);
+
+/**
+ * Cast a ray at a hull. A ray that starts inside does not hit.
+ *
+ * @param shape the hull
+ * @param input the ray, in the same frame
+ * @return the first hit; no hit for bad arguments
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange.
+ */
+MV_API mvCastOutput mvRayCastHull(const mvHullData *shape, const mvRayCastInput *input);
+
+/**
+ * Create the convex hull of a cloud of points.
+ *
+ * Points inside, doubled points and points within rounding of a face vanish.
+ * @param points the points [m]
+ * @param pointCount their number, at least 4
+ * @param maxVertexCount the most vertices the hull may have, at least 4; more than MV_MAX_HULL_VERTICES counts
+ * as that. Where the true hull has more, the farthest points are kept.
+ * @return the hull, to be destroyed by mvDestroyHull(); null for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate for fewer than 4 points or
+ * points that lie on one plane.
+ */
+MV_API
+mvHullData *mvCreateHull(const mvVec3 *points,
+                                int pointCount,
+                                int maxVertexCount);
+
+/**
+ * Create a hull in the form of a cylinder along the y axis.
+ *
+ * @param height the distance of the end faces [m], > 0
+ * @param radius the distance of the side edges from the axis [m], > 0
+ * @param yOffset where the lower end face is [m]
+ * @param sides the number of side faces, 3 to 127
+ * @return the hull, to be destroyed by mvDestroyHull(); null for bad arguments
+ * @note Errors: mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API mvHullData *mvCreateCylinder(mvFloat height, mvFloat radius, mvFloat yOffset, int sides);
+
+/**
+ * Create a hull in the form of a cone or truncated cone along the y axis, its first end face at y = 0.
+ *
+ * @param height the distance of the ends [m], > 0
+ * @param radius1 the radius at y = 0 [m], > 0
+ * @param radius2 the radius at y = height [m]; 0 for a tip
+ * @param slices the number of side faces, 3 to 127
+ * @return the hull, to be destroyed by mvDestroyHull(); null for bad arguments
+ * @note Errors: mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API mvHullData *mvCreateCone(mvFloat height, mvFloat radius1, mvFloat radius2, int slices);
+
+/**
+ * Copy a hull.
+ *
+ * @param hull a hull, or the base of a box hull
+ * @return the copy, to be destroyed by mvDestroyHull(); null for a bad hull
+ * @note Errors: mv_errorNull, mv_errorDefinition for a hull that was changed or is of another version.
+ */
+MV_API mvHullData *mvCloneHull(const mvHullData *hull);
+
+/**
+ * Copy a hull, scale the copy along the axes of its frame, and place it.
+ *
+ * @param original a hull, or the base of a box hull
+ * @param transform where to place the scaled hull
+ * @param scale the scale along x, y and z, which may be negative but not zero
+ * @return the new hull, to be destroyed by mvDestroyHull(); null for bad arguments
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API
+mvHullData *mvCloneAndTransformHull(const mvHullData *original,
+                                           mvTransform transform,
+                                           mvVec3 scale);
+
+/**
+ * Destroy a hull that mvCreateHull(), mvCloneHull() or a function like them made. Shapes made from it stay.
+ *
+ * @param hull the hull
+ * @note Errors: mv_errorNull, mv_errorStale for a pointer that is no such hull, or not any more.
+ */
+MV_API void mvDestroyHull(mvHullData *hull);
+
+/**
+ * Make a cube as a hull.
+ *
+ * @param halfWidth half the side length [m], > 0
+ * @return the box; one that no function accepts for bad arguments
+ * @note Errors: mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API mvBoxHull mvMakeCubeHull(mvFloat halfWidth);
+
+/**
+ * Make a box as a hull, centred on the origin.
+ *
+ * @param hx, hy, hz half the side lengths [m], > 0
+ * @return the box; one that no function accepts for bad arguments
+ * @note Errors: mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API mvBoxHull mvMakeBoxHull(mvFloat hx, mvFloat hy, mvFloat hz);
+
+/**
+ * Make a box as a hull, centred on a point.
+ *
+ * @param hx, hy, hz half the side lengths [m], > 0
+ * @param offset the centre [m]
+ * @return the box; one that no function accepts for bad arguments
+ * @note Errors: mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API mvBoxHull mvMakeOffsetBoxHull(mvFloat hx, mvFloat hy, mvFloat hz, mvVec3 offset);
+
+/**
+ * Make a placed box as a hull.
+ *
+ * @param hx, hy, hz half the side lengths [m], > 0
+ * @param transform where the box is
+ * @return the box; one that no function accepts for bad arguments
+ * @note Errors: mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API
+mvBoxHull mvMakeTransformedBoxHull(mvFloat hx,
+                                          mvFloat hy,
+                                          mvFloat hz,
+                                          mvTransform transform);
+
+/**
+ * Get the name of a solver.
+ *
+ * @return a constant, null for a number that is none of the constants
+ * @note Errors: mv_errorRange.
+ */
+MV_API const char *mvGetSolverKindName(mvSolverKind kind);
+
+/**
+ * Get the name of an integrator.
+ *
+ * @return a constant, null for a number that is none of the constants
+ * @note Errors: mv_errorRange.
+ */
+MV_API const char *mvGetIntegratorKindName(mvIntegratorKind kind);
+
+/**
+ * Get the name of a broad phase.
+ *
+ * @return a constant, null for a number that is none of the constants
+ * @note Errors: mv_errorRange.
+ */
+MV_API const char *mvGetBroadPhaseKindName(mvBroadPhaseKind kind);
+
+/**
+ * Get the name of a narrow phase.
+ *
+ * @return a constant, null for a number that is none of the constants
+ * @note Errors: mv_errorRange.
+ */
+MV_API const char *mvGetNarrowPhaseKindName(mvNarrowPhaseKind kind);
+
+/**
+ * Get the name of a choice of contact points.
+ *
+ * @return a constant, null for a number that is none of the constants
+ * @note Errors: mv_errorRange.
+ */
+MV_API const char *mvGetManifoldKindName(mvManifoldKind kind);
 
 /**
  * Is this number finite: neither NaN nor infinite?
@@ -574,6 +2454,656 @@ mvSegmentDistanceResult mvSegmentDistance(mvVec3 p1,
                                                  mvVec3 q1,
                                                  mvVec3 p2,
                                                  mvVec3 q2);
+
+/**
+ * Attach a sphere to a body.
+ *
+ * @param bodyId the body
+ * @param def the definition, from mvDefaultShapeDef()
+ * @param sphere the sphere, in the body's frame
+ * @return the shape; null for bad arguments
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API
+mvShapeId mvCreateSphereShape(mvBodyId bodyId,
+                                     const mvShapeDef *def,
+                                     const mvSphere *sphere);
+
+/**
+ * Attach a capsule to a body.
+ *
+ * @param bodyId the body
+ * @param def the definition, from mvDefaultShapeDef()
+ * @param capsule the capsule, in the body's frame
+ * @return the shape; null for bad arguments
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API
+mvShapeId mvCreateCapsuleShape(mvBodyId bodyId,
+                                      const mvShapeDef *def,
+                                      const mvCapsule *capsule);
+
+/**
+ * Attach a hull to a body.
+ *
+ * @param bodyId the body
+ * @param def the definition, from mvDefaultShapeDef()
+ * @param hull the hull, in the body's frame; it may be destroyed right after
+ * @return the shape; null for bad arguments
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API
+mvShapeId mvCreateHullShape(mvBodyId bodyId,
+                                   const mvShapeDef *def,
+                                   const mvHullData *hull);
+
+/**
+ * Attach a scaled and placed copy of a hull to a body.
+ *
+ * @param bodyId the body
+ * @param def the definition, from mvDefaultShapeDef()
+ * @param hull the hull; it may be destroyed right after
+ * @param transform where the scaled hull is in the body's frame
+ * @param scale the scale along the hull's x, y and z, which may be negative but not zero
+ * @return the shape; null for bad arguments
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API
+mvShapeId mvCreateTransformedHullShape(mvBodyId bodyId,
+                                              const mvShapeDef *def,
+                                              const mvHullData *hull,
+                                              mvTransform transform,
+                                              mvVec3 scale);
+
+/**
+ * Attach a box to a body, centred on the body's origin.
+ *
+ * @param bodyId the body
+ * @param def the definition, from mvDefaultShapeDef()
+ * @param hx, hy, hz half the side lengths [m], > 0
+ * @return the shape; null for bad arguments
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API
+mvShapeId mvCreateBoxShape(mvBodyId bodyId,
+                                  const mvShapeDef *def,
+                                  mvFloat hx,
+                                  mvFloat hy,
+                                  mvFloat hz);
+
+/**
+ * Attach everything below a plane to a static body: a floor without end.
+ *
+ * @param bodyId the body
+ * @param def the definition, from mvDefaultShapeDef()
+ * @param plane the plane, in the body's frame; its normal may have any length but 0 and is scaled to 1,
+ * the offset is along the scaled normal
+ * @return the shape; null for bad arguments
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate; mv_errorRange also for a body that is not static.
+ */
+MV_API
+mvShapeId mvCreatePlaneShape(mvBodyId bodyId,
+                                    const mvShapeDef *def,
+                                    const mvPlane *plane);
+
+/**
+ * Destroy a shape. What it touched wakes up.
+ * @param shapeId the shape
+ * @param updateBodyMass whether to update the body's mass; else call mvBody_ApplyMassFromShapes() later
+ */
+MV_API void mvDestroyShape(mvShapeId shapeId, bool updateBodyMass);
+
+/**
+ * Does this id name a shape that lives? Never fails; false also while another thread changes the world.
+ */
+MV_API bool mvShape_IsValid(mvShapeId id);
+
+/**
+ * Get what a shape is.
+ * @param shapeId the shape
+ * @return one of the mv_...Shape constants; mv_capsuleShape, which is 0, for a bad shape
+ */
+MV_API mvShapeType mvShape_GetType(mvShapeId shapeId);
+
+/**
+ * Get the body that a shape is attached to.
+ * @param shapeId the shape
+ * @return the body; null for a bad shape
+ */
+MV_API mvBodyId mvShape_GetBody(mvShapeId shapeId);
+
+/**
+ * Get the world that a shape lives in.
+ * @param shapeId the shape
+ * @return the world; null for a bad shape
+ */
+MV_API mvWorldId mvShape_GetWorld(mvShapeId shapeId);
+
+/**
+ * Set the name of a shape.
+ * @param shapeId the shape
+ * @param name UTF-8, copied; null for none
+ * @note Errors: mv_errorRange when the name is not UTF-8.
+ */
+MV_API void mvShape_SetName(mvShapeId shapeId, const char *name);
+
+/**
+ * Get the name of a shape.
+ * @param shapeId the shape
+ * @return UTF-8, empty for none; null for a bad shape. Valid until the name is changed or the shape destroyed.
+ */
+MV_API
+const char *mvShape_GetName(mvShapeId shapeId);
+
+/**
+ * Set the user data of a shape.
+ * @param shapeId the shape
+ * @param userData anything; it is never followed
+ */
+MV_API void mvShape_SetUserData(mvShapeId shapeId, void *userData);
+
+/**
+ * Get the user data of a shape.
+ * @param shapeId the shape
+ * @return what was set; null for a bad shape
+ */
+MV_API void *mvShape_GetUserData(mvShapeId shapeId);
+
+/**
+ * Get the sphere of a shape.
+ * @param shapeId the shape
+ * @return the sphere, in the body's frame; zero for a bad shape
+ * @note Errors: mv_errorRange when the shape is no sphere.
+ */
+MV_API mvSphere mvShape_GetSphere(mvShapeId shapeId);
+
+/**
+ * Get the capsule of a shape.
+ * @param shapeId the shape
+ * @return the capsule, in the body's frame; zero for a bad shape
+ * @note Errors: mv_errorRange when the shape is no capsule.
+ */
+MV_API mvCapsule mvShape_GetCapsule(mvShapeId shapeId);
+
+/**
+ * Get the hull of a shape.
+ * @param shapeId the shape
+ * @return the hull, in the body's frame; null for a bad shape. Valid until the shape is changed or destroyed.
+ * @note Errors: mv_errorRange when the shape is no hull.
+ */
+MV_API const mvHullData *mvShape_GetHull(mvShapeId shapeId);
+
+/**
+ * Get the plane of a shape.
+ * @param shapeId the shape
+ * @return the plane, in the body's frame; zero for a bad shape
+ * @note Errors: mv_errorRange when the shape is no plane.
+ */
+MV_API mvPlane mvShape_GetPlane(mvShapeId shapeId);
+
+/**
+ * Make a shape a sphere. The body's mass stays: call mvBody_ApplyMassFromShapes() to update it.
+ * @param shapeId the shape
+ * @param sphere the sphere, in the body's frame
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API void mvShape_SetSphere(mvShapeId shapeId, const mvSphere *sphere);
+
+/**
+ * Make a shape a capsule. The body's mass stays: call mvBody_ApplyMassFromShapes() to update it.
+ * @param shapeId the shape
+ * @param capsule the capsule, in the body's frame
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API void mvShape_SetCapsule(mvShapeId shapeId, const mvCapsule *capsule);
+
+/**
+ * Make a shape a hull. The body's mass stays: call mvBody_ApplyMassFromShapes() to update it.
+ * @param shapeId the shape
+ * @param hull the hull, in the body's frame; it may be destroyed right after
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API void mvShape_SetHull(mvShapeId shapeId, const mvHullData *hull);
+
+/**
+ * Set the density of a shape.
+ * @param shapeId the shape
+ * @param density the density [kg/m^3], >= 0
+ * @param updateBodyMass whether to update the body's mass; else call mvBody_ApplyMassFromShapes() later
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvShape_SetDensity(mvShapeId shapeId, mvFloat density, bool updateBodyMass);
+
+/**
+ * Get the density of a shape.
+ * @param shapeId the shape
+ * @return the density [kg/m^3]; 0 for a bad shape
+ */
+MV_API mvFloat mvShape_GetDensity(mvShapeId shapeId);
+
+/**
+ * Set the coefficient of sliding friction of a shape.
+ * @param shapeId the shape
+ * @param friction the coefficient, >= 0
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvShape_SetFriction(mvShapeId shapeId, mvFloat friction);
+
+/**
+ * Get the coefficient of sliding friction of a shape.
+ * @param shapeId the shape
+ * @return the coefficient; 0 for a bad shape
+ */
+MV_API mvFloat mvShape_GetFriction(mvShapeId shapeId);
+
+/**
+ * Set the coefficient of static friction of a shape.
+ * @param shapeId the shape
+ * @param staticFriction the coefficient, negative for that of sliding
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvShape_SetStaticFriction(mvShapeId shapeId, mvFloat staticFriction);
+
+/**
+ * Get the coefficient of static friction of a shape.
+ * @param shapeId the shape
+ * @return the coefficient, negative for that of sliding; 0 for a bad shape
+ */
+MV_API mvFloat mvShape_GetStaticFriction(mvShapeId shapeId);
+
+/**
+ * Set the coefficient of restitution of a shape.
+ * @param shapeId the shape
+ * @param restitution the coefficient, 0 to 1
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvShape_SetRestitution(mvShapeId shapeId, mvFloat restitution);
+
+/**
+ * Get the coefficient of restitution of a shape.
+ * @param shapeId the shape
+ * @return the coefficient; 0 for a bad shape
+ */
+MV_API mvFloat mvShape_GetRestitution(mvShapeId shapeId);
+
+/**
+ * Set the surface of a shape. It takes effect in the next step.
+ * @param shapeId the shape
+ * @param surfaceMaterial the surface
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvShape_SetSurfaceMaterial(mvShapeId shapeId, mvSurfaceMaterial surfaceMaterial);
+
+/**
+ * Get the surface of a shape.
+ * @param shapeId the shape
+ * @return the surface; zero for a bad shape
+ */
+MV_API mvSurfaceMaterial mvShape_GetSurfaceMaterial(mvShapeId shapeId);
+
+/**
+ * Get what a shape collides with.
+ * @param shapeId the shape
+ * @return the filter; zero for a bad shape
+ */
+MV_API mvFilter mvShape_GetFilter(mvShapeId shapeId);
+
+/**
+ * Set what a shape collides with. If that changes anything, its contacts end, and those that the filter allows are
+ * found again in the next step.
+ * @param shapeId the shape
+ * @param filter the filter
+ */
+MV_API
+void mvShape_SetFilter(mvShapeId shapeId,
+                       mvFilter filter);
+
+/**
+ * Make begin and end events for contacts of a shape, or not. One of the two shapes is enough.
+ * @param shapeId the shape
+ * @param flag whether to do it
+ */
+MV_API void mvShape_EnableContactEvents(mvShapeId shapeId, bool flag);
+
+/**
+ * Are there begin and end events for the contacts of a shape?
+ * @param shapeId the shape
+ */
+MV_API bool mvShape_AreContactEventsEnabled(mvShapeId shapeId);
+
+/**
+ * Ask the pre-solve callback about contacts of a shape, or not. One of the two shapes is enough.
+ * @param shapeId the shape
+ * @param flag whether to do it
+ */
+MV_API void mvShape_EnablePreSolveEvents(mvShapeId shapeId, bool flag);
+
+/**
+ * Is the pre-solve callback asked about contacts of a shape?
+ * @param shapeId the shape
+ */
+MV_API bool mvShape_ArePreSolveEventsEnabled(mvShapeId shapeId);
+
+/**
+ * Make hit events for contacts of a shape, or not. One of the two shapes is enough.
+ * @param shapeId the shape
+ * @param flag whether to do it
+ */
+MV_API void mvShape_EnableHitEvents(mvShapeId shapeId, bool flag);
+
+/**
+ * Are there hit events for the contacts of a shape?
+ * @param shapeId the shape
+ */
+MV_API bool mvShape_AreHitEventsEnabled(mvShapeId shapeId);
+
+/**
+ * Cast a ray at one shape. A ray that starts inside does not hit.
+ * @param shapeId the shape
+ * @param origin where the ray starts [m]
+ * @param translation from the start to the end of the ray [m]
+ * @return the hit, in the world; no hit for bad arguments
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+mvWorldCastOutput mvShape_RayCast(mvShapeId shapeId,
+                                         mvPos origin,
+                                         mvVec3 translation);
+
+/**
+ * Get the box around a shape, in the world.
+ * @param shapeId the shape
+ * @return the box; zero for a bad shape
+ */
+MV_API mvAABB mvShape_GetAABB(mvShapeId shapeId);
+
+/**
+ * Get mass, centre of mass and inertia of a shape at its density.
+ * @param shapeId the shape
+ * @return the figures, in the body's frame; zero for a bad shape
+ */
+MV_API mvMassData mvShape_ComputeMassData(mvShapeId shapeId);
+
+/**
+ * Get the point of a shape closest to a target.
+ * @param shapeId the shape
+ * @param target the target, in the world [m]
+ * @return the point, in the world; the target itself where that is inside; zero for bad arguments
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API mvVec3 mvShape_GetClosestPoint(mvShapeId shapeId, mvVec3 target);
+
+/**
+ * Get an upper bound for the number of a shape's touching contacts.
+ * @param shapeId the shape
+ */
+MV_API int mvShape_GetContactCapacity(mvShapeId shapeId);
+
+/**
+ * Get the touching contacts of a shape, as of the last step.
+ * @param shapeId the shape
+ * @param contactData filled with the contacts; may be null
+ * @param capacity the room in the array, >= 0
+ * @return how many were written
+ * @note Errors: mv_errorRange.
+ */
+MV_API int mvShape_GetContactData(mvShapeId shapeId, mvContactData *contactData, int capacity);
+
+/**
+ * Create a world. At least 4096 worlds can live at once; worlds are independent of each other.
+ *
+ * @param def the definition, from mvDefaultWorldDef()
+ * @return the world, to be destroyed by mvDestroyWorld(); null for bad arguments
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorUnsupported,
+ * mv_errorCapacity.
+ */
+MV_API mvWorldId mvCreateWorld(const mvWorldDef *def);
+
+/**
+ * Destroy a world with everything in it. All ids of it are stale from then on.
+ *
+ * @param worldId the world; a faulted one can be destroyed as well
+ */
+MV_API void mvDestroyWorld(mvWorldId worldId);
+
+/**
+ * Get the number of worlds that live now.
+ */
+MV_API int mvGetWorldCount(void);
+
+/**
+ * Get the number of bytes that the library holds: for all worlds and for hulls that callers own. A world that
+ * another thread is changing counts as 0.
+ */
+MV_API int64_t mvGetByteCount(void);
+
+/**
+ * Does this id name a world that lives? Never fails.
+ */
+MV_API bool mvWorld_IsValid(mvWorldId id);
+
+/**
+ * Move the world through time.
+ *
+ * @param worldId the world
+ * @param timeStep how far [s], >= 0; keep it the same from step to step, usually 1/60. 0 brings contacts up to
+ * date and moves nothing.
+ * @param subStepCount into how many sub-steps to divide it, 1 to 1000, usually 4. More is more accurate.
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+void mvWorld_Step(mvWorldId worldId,
+                  mvFloat timeStep,
+                  int subStepCount);
+
+/**
+ * Get the box around everything in the world that has bounds, with some room to spare; zero for an empty world.
+ * @param worldId the world
+ */
+MV_API
+mvAABB mvWorld_GetBounds(mvWorldId worldId);
+
+/**
+ * Set the user data of a world.
+ * @param worldId the world
+ * @param userData anything; it is never followed
+ */
+MV_API void mvWorld_SetUserData(mvWorldId worldId, void *userData);
+
+/**
+ * Get the user data of a world.
+ * @param worldId the world
+ * @return what was set; null for a bad world
+ */
+MV_API void *mvWorld_GetUserData(mvWorldId worldId);
+
+/**
+ * Set the callback that decides whether shapes may collide.
+ * @param worldId the world
+ * @param fcn the callback, null for none
+ * @param context passed to the callback
+ */
+MV_API void mvWorld_SetCustomFilterCallback(mvWorldId worldId, mvCustomFilterFcn fcn, void *context);
+
+/**
+ * Set the callback that decides whether contacts act.
+ * @param worldId the world
+ * @param fcn the callback, null for none
+ * @param context passed to the callback
+ */
+MV_API void mvWorld_SetPreSolveCallback(mvWorldId worldId, mvPreSolveFcn fcn, void *context);
+
+/**
+ * Set the callback that mixes friction.
+ * @param worldId the world
+ * @param callback the callback, null for the geometric mean
+ * @param context passed to the callback
+ */
+MV_API void mvWorld_SetFrictionCallback(mvWorldId worldId, mvFrictionCallback callback, void *context);
+
+/**
+ * Set the callback that mixes restitution.
+ * @param worldId the world
+ * @param callback the callback, null for the greater one
+ * @param context passed to the callback
+ */
+MV_API
+void mvWorld_SetRestitutionCallback(mvWorldId worldId,
+                                    mvRestitutionCallback callback,
+                                    void *context);
+
+/**
+ * Set gravity, and wake all bodies.
+ * @param worldId the world
+ * @param gravity the acceleration [m/s^2]
+ * @note Errors: mv_errorNotFinite.
+ */
+MV_API void mvWorld_SetGravity(mvWorldId worldId, mvVec3 gravity);
+
+/**
+ * Get gravity.
+ * @param worldId the world
+ * @return the acceleration [m/s^2]; zero for a bad world
+ */
+MV_API mvVec3 mvWorld_GetGravity(mvWorldId worldId);
+
+/**
+ * Let bodies fall asleep, or wake all and keep them awake.
+ * @param worldId the world
+ * @param flag whether bodies may sleep
+ */
+MV_API void mvWorld_EnableSleeping(mvWorldId worldId, bool flag);
+
+/**
+ * May bodies fall asleep?
+ * @param worldId the world
+ */
+MV_API bool mvWorld_IsSleepingEnabled(mvWorldId worldId);
+
+/**
+ * Keep contact impulses from step to step, or not. Off is for experiments.
+ * @param worldId the world
+ * @param flag whether to keep them
+ */
+MV_API void mvWorld_EnableWarmStarting(mvWorldId worldId, bool flag);
+
+/**
+ * Are contact impulses kept from step to step?
+ * @param worldId the world
+ */
+MV_API bool mvWorld_IsWarmStartingEnabled(mvWorldId worldId);
+
+/**
+ * Set the approach speed up to which nothing bounces.
+ * @param worldId the world
+ * @param value the speed [m/s], >= 0
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvWorld_SetRestitutionThreshold(mvWorldId worldId, mvFloat value);
+
+/**
+ * Get the approach speed up to which nothing bounces.
+ * @param worldId the world
+ * @return the speed [m/s]; 0 for a bad world
+ */
+MV_API mvFloat mvWorld_GetRestitutionThreshold(mvWorldId worldId);
+
+/**
+ * Set the approach speed above which collisions make hit events.
+ * @param worldId the world
+ * @param value the speed [m/s], >= 0
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvWorld_SetHitEventThreshold(mvWorldId worldId, mvFloat value);
+
+/**
+ * Get the approach speed above which collisions make hit events.
+ * @param worldId the world
+ * @return the speed [m/s]; 0 for a bad world
+ */
+MV_API mvFloat mvWorld_GetHitEventThreshold(mvWorldId worldId);
+
+/**
+ * Set how overlap of contacts is recovered.
+ * @param worldId the world
+ * @param stiffness how stiff contacts are, as a fraction of the sub-step rate, > 0 and at most 0.5
+ * @param dampingRatio how strongly recovery is damped, > 0; 1 is critical
+ * @param contactSpeed the greatest speed at which overlap is pushed out [m/s], >= 0
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+void mvWorld_SetContactTuning(mvWorldId worldId,
+                              mvFloat stiffness,
+                              mvFloat dampingRatio,
+                              mvFloat contactSpeed);
+
+/**
+ * Get how overlap of contacts is recovered.
+ * @param worldId the world
+ */
+MV_API mvContactTuning mvWorld_GetContactTuning(mvWorldId worldId);
+
+/**
+ * Set the greatest speed of bodies.
+ * @param worldId the world
+ * @param maximumLinearSpeed the speed [m/s], > 0; infinity for no limit
+ * @note Errors: mv_errorRange, also for NaN.
+ */
+MV_API void mvWorld_SetMaximumLinearSpeed(mvWorldId worldId, mvFloat maximumLinearSpeed);
+
+/**
+ * Get the greatest speed of bodies.
+ * @param worldId the world
+ * @return the speed [m/s], infinity for no limit; 0 for a bad world
+ */
+MV_API mvFloat mvWorld_GetMaximumLinearSpeed(mvWorldId worldId);
+
+/**
+ * Get the number of bodies that the next step moves.
+ * @param worldId the world
+ */
+MV_API int mvWorld_GetAwakeBodyCount(mvWorldId worldId);
+
+/**
+ * Set the number of threads that step the world. Only 1 is built yet.
+ * @param worldId the world
+ * @param count the number of threads
+ * @note Errors: mv_errorRange below 1, mv_errorUnsupported above.
+ */
+MV_API void mvWorld_SetWorkerCount(mvWorldId worldId, int count);
+
+/**
+ * Get the number of threads that step the world.
+ * @param worldId the world
+ */
+MV_API int mvWorld_GetWorkerCount(mvWorldId worldId);
+
+/**
+ * Get how long the last step took, by stage.
+ * @param worldId the world
+ */
+MV_API mvProfile mvWorld_GetProfile(mvWorldId worldId);
+
+/**
+ * Get how much there is of everything.
+ * @param worldId the world
+ */
+MV_API mvCounters mvWorld_GetCounters(mvWorldId worldId);
+
+/**
+ * Get conserved quantities and errors. This measures the world as it is now, at about the cost of finding all
+ * contact points.
+ * @param worldId the world
+ */
+MV_API mvStepReport mvWorld_GetStepReport(mvWorldId worldId);
+
+/**
+ * Get a hash of the state of all bodies and contacts: placements, momenta, impulses and sleep. Two worlds that
+ * were made and stepped in the same way have the same hash, on every platform.
+ * @param worldId the world
+ */
+MV_API
+uint64_t mvWorld_GetStateHash(mvWorldId worldId);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -14,6 +14,7 @@ pub mod shape;
 pub mod broad_phase;
 pub mod constraint;
 pub mod event;
+pub mod integrate;
 pub mod island;
 pub mod narrow_phase;
 pub mod solver;
