@@ -90,17 +90,6 @@ typedef float mvFloat;
 #define MV_MAX_HULL_VERTICES 255
 
 /**
- * A box as a hull: a plain value that needs no destroying. Pass the address of its base where a hull is wanted.
- */
-typedef struct mvBoxHull mvBoxHull;
-
-/**
- * A convex hull: this struct followed by its arrays, byteCount bytes in all. It may be copied as a block, with
- * alignment 8; offsets are in bytes from the start of this struct. It is read only: a changed hull is refused.
- */
-typedef struct mvHullData mvHullData;
-
-/**
  * A version by the rules of semver.org.
  */
 typedef struct mvVersion {
@@ -915,6 +904,97 @@ typedef struct mvTransform {
 } mvTransform;
 
 /**
+ * A convex hull: this struct followed by its arrays, byteCount bytes in all. It may be copied as a block, with
+ * alignment 8; offsets are in bytes from the start of this struct. It is read only: a changed hull is refused.
+ */
+typedef struct mvHullData {
+    /**
+     * Identifies a hull of this version and precision of the library.
+     */
+    uint64_t version;
+    /**
+     * A hash of all bytes, counted with this field as 0.
+     */
+    uint64_t hash;
+    /**
+     * The box around the hull.
+     */
+    mvAABB aabb;
+    /**
+     * The area of the surface [m^2].
+     */
+    mvFloat surfaceArea;
+    /**
+     * The volume [m^3].
+     */
+    mvFloat volume;
+    /**
+     * The least distance from the center to a face [m].
+     */
+    mvFloat innerRadius;
+    /**
+     * The greatest distance from the center to a vertex [m].
+     */
+    mvFloat outerRadius;
+    /**
+     * The centre of mass [m].
+     */
+    mvVec3 center;
+    /**
+     * The inertia about the center for a density of 1 [m^5].
+     */
+    mvMatrix3 centralInertia;
+    /**
+     * Half the side lengths, if the hull was made as a box; zero otherwise.
+     */
+    mvVec3 boxHalfWidths;
+    /**
+     * Where the box is, if the hull was made as one.
+     */
+    mvTransform boxTransform;
+    /**
+     * The number of vertices and of points.
+     */
+    int32_t vertexCount;
+    /**
+     * Where the vertices are: mvGetHullVertices().
+     */
+    int32_t vertexOffset;
+    /**
+     * Where the points are: mvGetHullPoints().
+     */
+    int32_t pointOffset;
+    /**
+     * The number of half-edges: twice the number of edges.
+     */
+    int32_t edgeCount;
+    /**
+     * Where the half-edges are: mvGetHullEdges().
+     */
+    int32_t edgeOffset;
+    /**
+     * The number of faces and of planes.
+     */
+    int32_t faceCount;
+    /**
+     * Where the planes of the faces are: mvGetHullPlanes().
+     */
+    int32_t planeOffset;
+    /**
+     * Where the faces are: mvGetHullFaces().
+     */
+    int32_t faceOffset;
+    /**
+     * The number of bytes of the whole hull.
+     */
+    int32_t byteCount;
+    /**
+     * Zero.
+     */
+    int32_t padding;
+} mvHullData;
+
+/**
  * A ray to be cast at a shape, in the shape's frame.
  */
 typedef struct mvRayCastInput {
@@ -966,6 +1046,82 @@ typedef struct mvPlane {
     mvVec3 normal;
     mvFloat offset;
 } mvPlane;
+
+/**
+ * A half-edge: one direction of an edge, belonging to the face on its left.
+ */
+typedef struct mvHullHalfEdge {
+    /**
+     * The next half-edge around the face, counter-clockwise seen from outside.
+     */
+    uint16_t next;
+    /**
+     * The half-edge in the other direction.
+     */
+    uint16_t twin;
+    /**
+     * The vertex where it starts.
+     */
+    uint16_t origin;
+    /**
+     * The face on its left.
+     */
+    uint16_t face;
+} mvHullHalfEdge;
+
+/**
+ * A vertex of a hull.
+ */
+typedef struct mvHullVertex {
+    /**
+     * One of the half-edges that start here.
+     */
+    uint16_t edge;
+} mvHullVertex;
+
+/**
+ * A face of a hull.
+ */
+typedef struct mvHullFace {
+    /**
+     * One of the half-edges around it.
+     */
+    uint16_t edge;
+} mvHullFace;
+
+/**
+ * A box as a hull: a plain value that needs no destroying. Pass the address of its base where a hull is wanted.
+ */
+typedef struct mvBoxHull {
+    /**
+     * The hull, whose offsets lead to the arrays below.
+     */
+    mvHullData base;
+    /**
+     * The corners: bit 0, 1, 2 of the index is set where x, y, z of the box's frame is positive.
+     */
+    mvVec3 boxPoints[8];
+    /**
+     * The planes of the faces -x, +x, -y, +y, -z, +z.
+     */
+    mvPlane boxPlanes[6];
+    /**
+     * The half-edges.
+     */
+    mvHullHalfEdge boxEdges[24];
+    /**
+     * The vertices.
+     */
+    mvHullVertex boxVertices[8];
+    /**
+     * The faces.
+     */
+    mvHullFace boxFaces[6];
+    /**
+     * Zero.
+     */
+    uint16_t padding[2];
+} mvBoxHull;
 
 /**
  * Cosine and sine of one angle.
@@ -2238,7 +2394,9 @@ MV_API mvBoxHull mvMakeCubeHull(mvFloat halfWidth);
 /**
  * Make a box as a hull, centred on the origin.
  *
- * @param hx, hy, hz half the side lengths [m], > 0
+ * @param hx half the side length along x [m], > 0
+ * @param hy half the side length along y [m], > 0
+ * @param hz half the side length along z [m], > 0
  * @return the box; one that no function accepts for bad arguments
  * @note Errors: mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
  */
@@ -2247,7 +2405,9 @@ MV_API mvBoxHull mvMakeBoxHull(mvFloat hx, mvFloat hy, mvFloat hz);
 /**
  * Make a box as a hull, centred on a point.
  *
- * @param hx, hy, hz half the side lengths [m], > 0
+ * @param hx half the side length along x [m], > 0
+ * @param hy half the side length along y [m], > 0
+ * @param hz half the side length along z [m], > 0
  * @param offset the centre [m]
  * @return the box; one that no function accepts for bad arguments
  * @note Errors: mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
@@ -2257,7 +2417,9 @@ MV_API mvBoxHull mvMakeOffsetBoxHull(mvFloat hx, mvFloat hy, mvFloat hz, mvVec3 
 /**
  * Make a placed box as a hull.
  *
- * @param hx, hy, hz half the side lengths [m], > 0
+ * @param hx half the side length along x [m], > 0
+ * @param hy half the side length along y [m], > 0
+ * @param hz half the side length along z [m], > 0
  * @param transform where the box is
  * @return the box; one that no function accepts for bad arguments
  * @note Errors: mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
@@ -2520,7 +2682,9 @@ mvShapeId mvCreateTransformedHullShape(mvBodyId bodyId,
  *
  * @param bodyId the body
  * @param def the definition, from mvDefaultShapeDef()
- * @param hx, hy, hz half the side lengths [m], > 0
+ * @param hx half the side length along x [m], > 0
+ * @param hy half the side length along y [m], > 0
+ * @param hz half the side length along z [m], > 0
  * @return the shape; null for bad arguments
  * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
  */
@@ -4009,6 +4173,40 @@ MV_INLINE mvPlane mvTransformPlane(mvTransform t, mvPlane plane)
     r.normal = mvRotateVector(t.q, plane.normal);
     r.offset = plane.offset + mvDot(r.normal, t.p);
     return r;
+}
+
+/* --------------------------------------------------------------------------------------------------------
+ * The arrays of a hull
+ * ------------------------------------------------------------------------------------------------------ */
+
+/** The vertices of a hull, vertexCount of them. */
+MV_INLINE const mvHullVertex* mvGetHullVertices(const mvHullData* hull)
+{
+    return (const mvHullVertex*)((const void*)((const char*)hull + hull->vertexOffset));
+}
+
+/** The points of a hull, where its vertices are, vertexCount of them. */
+MV_INLINE const mvVec3* mvGetHullPoints(const mvHullData* hull)
+{
+    return (const mvVec3*)((const void*)((const char*)hull + hull->pointOffset));
+}
+
+/** The half-edges of a hull, edgeCount of them. */
+MV_INLINE const mvHullHalfEdge* mvGetHullEdges(const mvHullData* hull)
+{
+    return (const mvHullHalfEdge*)((const void*)((const char*)hull + hull->edgeOffset));
+}
+
+/** The faces of a hull, faceCount of them. */
+MV_INLINE const mvHullFace* mvGetHullFaces(const mvHullData* hull)
+{
+    return (const mvHullFace*)((const void*)((const char*)hull + hull->faceOffset));
+}
+
+/** The planes of the faces of a hull, faceCount of them. Their normals point outwards. */
+MV_INLINE const mvPlane* mvGetHullPlanes(const mvHullData* hull)
+{
+    return (const mvPlane*)((const void*)((const char*)hull + hull->planeOffset));
 }
 
 #endif /* MEREV_H */

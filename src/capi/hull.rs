@@ -160,7 +160,9 @@ pub extern "C" fn mvMakeCubeHull(half_width: mvFloat) -> mvBoxHull {
 
 /// Make a box as a hull, centred on the origin.
 ///
-/// @param hx, hy, hz half the side lengths [m], > 0
+/// @param hx half the side length along x [m], > 0
+/// @param hy half the side length along y [m], > 0
+/// @param hz half the side length along z [m], > 0
 /// @return the box; one that no function accepts for bad arguments
 /// @note Errors: mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
 #[unsafe(no_mangle)]
@@ -170,7 +172,9 @@ pub extern "C" fn mvMakeBoxHull(hx: mvFloat, hy: mvFloat, hz: mvFloat) -> mvBoxH
 
 /// Make a box as a hull, centred on a point.
 ///
-/// @param hx, hy, hz half the side lengths [m], > 0
+/// @param hx half the side length along x [m], > 0
+/// @param hy half the side length along y [m], > 0
+/// @param hz half the side length along z [m], > 0
 /// @param offset the centre [m]
 /// @return the box; one that no function accepts for bad arguments
 /// @note Errors: mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
@@ -181,7 +185,9 @@ pub extern "C" fn mvMakeOffsetBoxHull(hx: mvFloat, hy: mvFloat, hz: mvFloat, off
 
 /// Make a placed box as a hull.
 ///
-/// @param hx, hy, hz half the side lengths [m], > 0
+/// @param hx half the side length along x [m], > 0
+/// @param hy half the side length along y [m], > 0
+/// @param hz half the side length along z [m], > 0
 /// @param transform where the box is
 /// @return the box; one that no function accepts for bad arguments
 /// @note Errors: mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.

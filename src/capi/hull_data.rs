@@ -48,7 +48,7 @@ pub struct mvHullFace {
 /// A convex hull: this struct followed by its arrays, byteCount bytes in all. It may be copied as a block, with
 /// alignment 8; offsets are in bytes from the start of this struct. It is read only: a changed hull is refused.
 #[derive(Clone, Copy, Debug)]
-#[repr(C, align(8))]
+#[repr(C)]
 pub struct mvHullData {
     /// Identifies a hull of this version and precision of the library.
     pub version: u64,
@@ -96,7 +96,7 @@ pub struct mvHullData {
 
 /// A box as a hull: a plain value that needs no destroying. Pass the address of its base where a hull is wanted.
 #[derive(Clone, Copy, Debug)]
-#[repr(C, align(8))]
+#[repr(C)]
 pub struct mvBoxHull {
     /// The hull, whose offsets lead to the arrays below.
     pub base: mvHullData,

@@ -96,7 +96,9 @@ pub unsafe extern "C" fn mvCreateTransformedHullShape(body_id: mvBodyId, def: Op
 ///
 /// @param bodyId the body
 /// @param def the definition, from mvDefaultShapeDef()
-/// @param hx, hy, hz half the side lengths [m], > 0
+/// @param hx half the side length along x [m], > 0
+/// @param hy half the side length along y [m], > 0
+/// @param hz half the side length along z [m], > 0
 /// @return the shape; null for bad arguments
 /// @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
 #[unsafe(no_mangle)]

@@ -899,3 +899,37 @@ MV_INLINE mvPlane mvTransformPlane(mvTransform t, mvPlane plane)
     r.offset = plane.offset + mvDot(r.normal, t.p);
     return r;
 }
+
+/* --------------------------------------------------------------------------------------------------------
+ * The arrays of a hull
+ * ------------------------------------------------------------------------------------------------------ */
+
+/** The vertices of a hull, vertexCount of them. */
+MV_INLINE const mvHullVertex* mvGetHullVertices(const mvHullData* hull)
+{
+    return (const mvHullVertex*)((const void*)((const char*)hull + hull->vertexOffset));
+}
+
+/** The points of a hull, where its vertices are, vertexCount of them. */
+MV_INLINE const mvVec3* mvGetHullPoints(const mvHullData* hull)
+{
+    return (const mvVec3*)((const void*)((const char*)hull + hull->pointOffset));
+}
+
+/** The half-edges of a hull, edgeCount of them. */
+MV_INLINE const mvHullHalfEdge* mvGetHullEdges(const mvHullData* hull)
+{
+    return (const mvHullHalfEdge*)((const void*)((const char*)hull + hull->edgeOffset));
+}
+
+/** The faces of a hull, faceCount of them. */
+MV_INLINE const mvHullFace* mvGetHullFaces(const mvHullData* hull)
+{
+    return (const mvHullFace*)((const void*)((const char*)hull + hull->faceOffset));
+}
+
+/** The planes of the faces of a hull, faceCount of them. Their normals point outwards. */
+MV_INLINE const mvPlane* mvGetHullPlanes(const mvHullData* hull)
+{
+    return (const mvPlane*)((const void*)((const char*)hull + hull->planeOffset));
+}
