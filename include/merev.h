@@ -85,6 +85,11 @@ typedef float mvFloat;
 #define MV_DEFAULT_MASK_BITS 18446744073709551615ull
 
 /**
+ * The most points of an mvShapeProxy.
+ */
+#define MV_MAX_SHAPE_CAST_POINTS 255
+
+/**
  * The most vertices of a hull.
  */
 #define MV_MAX_HULL_VERTICES 255
@@ -447,6 +452,275 @@ typedef struct mvWorldTransform {
 } mvWorldTransform;
 
 /**
+ * Where a ray or a moving solid hits a body.
+ */
+typedef struct mvBodyCastResult {
+    /**
+     * The shape that was hit.
+     */
+    mvShapeId shapeId;
+    /**
+     * The point on its surface [m].
+     */
+    mvPos point;
+    /**
+     * The outward normal of the surface at the point, of length 1.
+     */
+    mvVec3 normal;
+    /**
+     * The fraction of the translation travelled.
+     */
+    mvFloat fraction;
+    /**
+     * The user material of the shape.
+     */
+    uint64_t userMaterialId;
+    /**
+     * The number of iterations used; 0 where the answer is a closed form.
+     */
+    int iterations;
+    /**
+     * Whether there was a hit. If not, everything else is zero.
+     */
+    bool hit;
+} mvBodyCastResult;
+
+/**
+ * Which shapes a query sees: its mask must hold a category of the shape and the shape's mask one of the query.
+ */
+typedef struct mvQueryFilter {
+    /**
+     * What the query is; default all bits.
+     */
+    uint64_t categoryBits;
+    /**
+     * What the query sees; default all bits.
+     */
+    uint64_t maskBits;
+} mvQueryFilter;
+
+/**
+ * A convex solid: all points within a radius of the convex hull of some points.
+ */
+typedef struct mvShapeProxy {
+    /**
+     * The points [m].
+     */
+    const mvVec3 *points;
+    /**
+     * Their number, 1 to MV_MAX_SHAPE_CAST_POINTS.
+     */
+    int count;
+    /**
+     * The radius [m], >= 0.
+     */
+    mvFloat radius;
+} mvShapeProxy;
+
+/**
+ * A point of contact, in the frame of the first shape.
+ */
+typedef struct mvLocalManifoldPoint {
+    /**
+     * The middle between the two surfaces [m].
+     */
+    mvVec3 point;
+    /**
+     * The gap along the normal, negative where the shapes overlap [m].
+     */
+    mvFloat separation;
+    /**
+     * Which features of the shapes meet; the same number again means the same features.
+     */
+    uint32_t featureId;
+} mvLocalManifoldPoint;
+
+/**
+ * The points of contact of two shapes, in the frame of the first.
+ */
+typedef struct mvLocalManifold {
+    /**
+     * From the first shape to the second, of length 1; zero where there is no point.
+     */
+    mvVec3 normal;
+    /**
+     * Where to write the points: set by the caller; may be null.
+     */
+    mvLocalManifoldPoint *points;
+    /**
+     * How many points were written, 0 to 4.
+     */
+    int pointCount;
+} mvLocalManifold;
+
+/**
+ * A ball.
+ */
+typedef struct mvSphere {
+    /**
+     * The centre [m].
+     */
+    mvVec3 center;
+    /**
+     * The radius [m], at least 1e-5.
+     */
+    mvFloat radius;
+} mvSphere;
+
+/**
+ * A rigid placement: rotate by q, then shift by p.
+ */
+typedef struct mvTransform {
+    mvVec3 p;
+    mvQuat q;
+} mvTransform;
+
+/**
+ * All points within a radius of a segment.
+ */
+typedef struct mvCapsule {
+    /**
+     * The centre of one end [m].
+     */
+    mvVec3 center1;
+    /**
+     * The centre of the other end [m], at least 1e-5 from the first.
+     */
+    mvVec3 center2;
+    /**
+     * The radius [m], at least 1e-5.
+     */
+    mvFloat radius;
+} mvCapsule;
+
+/**
+ * A convex hull: this struct followed by its arrays, byteCount bytes in all. It may be copied as a block, with
+ * alignment 8; offsets are in bytes from the start of this struct. It is read only: a changed hull is refused.
+ */
+typedef struct mvHullData {
+    /**
+     * Identifies a hull of this version and precision of the library.
+     */
+    uint64_t version;
+    /**
+     * A hash of all bytes, counted with this field as 0.
+     */
+    uint64_t hash;
+    /**
+     * The box around the hull.
+     */
+    mvAABB aabb;
+    /**
+     * The area of the surface [m^2].
+     */
+    mvFloat surfaceArea;
+    /**
+     * The volume [m^3].
+     */
+    mvFloat volume;
+    /**
+     * The least distance from the center to a face [m].
+     */
+    mvFloat innerRadius;
+    /**
+     * The greatest distance from the center to a vertex [m].
+     */
+    mvFloat outerRadius;
+    /**
+     * The centre of mass [m].
+     */
+    mvVec3 center;
+    /**
+     * The inertia about the center for a density of 1 [m^5].
+     */
+    mvMatrix3 centralInertia;
+    /**
+     * Half the side lengths, if the hull was made as a box; zero otherwise.
+     */
+    mvVec3 boxHalfWidths;
+    /**
+     * Where the box is, if the hull was made as one.
+     */
+    mvTransform boxTransform;
+    /**
+     * The number of vertices and of points.
+     */
+    int32_t vertexCount;
+    /**
+     * Where the vertices are: mvGetHullVertices().
+     */
+    int32_t vertexOffset;
+    /**
+     * Where the points are: mvGetHullPoints().
+     */
+    int32_t pointOffset;
+    /**
+     * The number of half-edges: twice the number of edges.
+     */
+    int32_t edgeCount;
+    /**
+     * Where the half-edges are: mvGetHullEdges().
+     */
+    int32_t edgeOffset;
+    /**
+     * The number of faces and of planes.
+     */
+    int32_t faceCount;
+    /**
+     * Where the planes of the faces are: mvGetHullPlanes().
+     */
+    int32_t planeOffset;
+    /**
+     * Where the faces are: mvGetHullFaces().
+     */
+    int32_t faceOffset;
+    /**
+     * The number of bytes of the whole hull.
+     */
+    int32_t byteCount;
+    /**
+     * Zero.
+     */
+    int32_t padding;
+} mvHullData;
+
+/**
+ * Which points carried the closest points. Written by mvShapeDistance(); all zero is a good start.
+ */
+typedef struct mvSimplexCache {
+    /**
+     * The distance of the hulls of the points.
+     */
+    mvFloat metric;
+    /**
+     * The number of points of each solid, 0 to 4.
+     */
+    uint16_t count;
+    /**
+     * Which points of A.
+     */
+    uint8_t indexA[4];
+    /**
+     * Which points of B.
+     */
+    uint8_t indexB[4];
+} mvSimplexCache;
+
+/**
+ * What was found out about a pair of hulls. All zero is a good start.
+ */
+typedef struct mvSATCache {
+    /**
+     * The gap along the axis that was found, negative where the hulls overlap [m].
+     */
+    mvFloat separation;
+    /**
+     * Whether the hulls have contact points.
+     */
+    bool hit;
+} mvSATCache;
+
+/**
  * Mixes the friction of two materials: called for every contact in every step, on the stepping thread, once for
  * sliding and once for static friction. A result that is not a number >= 0 counts as 0.
  */
@@ -693,18 +967,174 @@ typedef struct mvShapeDef {
 } mvShapeDef;
 
 /**
- * Which shapes a query sees: its mask must hold a category of the shape and the shape's mask one of the query.
+ * The closest points of two solids, in the frame of A.
  */
-typedef struct mvQueryFilter {
+typedef struct mvDistanceOutput {
     /**
-     * What the query is; default all bits.
+     * The point of A closest to B; where they overlap, a common point.
      */
-    uint64_t categoryBits;
+    mvVec3 pointA;
     /**
-     * What the query sees; default all bits.
+     * The point of B closest to A; where they overlap, the same point.
      */
-    uint64_t maskBits;
-} mvQueryFilter;
+    mvVec3 pointB;
+    /**
+     * From A to B, of length 1; zero where the hulls of the points overlap.
+     */
+    mvVec3 normal;
+    /**
+     * The distance [m]; 0 where they touch or overlap.
+     */
+    mvFloat distance;
+    /**
+     * The number of iterations.
+     */
+    int iterations;
+    /**
+     * The number of simplexes written.
+     */
+    int simplexCount;
+} mvDistanceOutput;
+
+/**
+ * Two solids whose distance is wanted.
+ */
+typedef struct mvDistanceInput {
+    /**
+     * The first solid, A.
+     */
+    mvShapeProxy proxyA;
+    /**
+     * The second solid, B.
+     */
+    mvShapeProxy proxyB;
+    /**
+     * Where B is, seen from A.
+     */
+    mvTransform transform;
+    /**
+     * Whether the radii count.
+     */
+    bool useRadii;
+} mvDistanceInput;
+
+/**
+ * A pair of points of two solids.
+ */
+typedef struct mvSimplexVertex {
+    /**
+     * The point of A.
+     */
+    mvVec3 wA;
+    /**
+     * The point of B, in the frame of A.
+     */
+    mvVec3 wB;
+    /**
+     * From A to B.
+     */
+    mvVec3 w;
+    /**
+     * The index of the point of A.
+     */
+    int indexA;
+    /**
+     * The index of the point of B.
+     */
+    int indexB;
+} mvSimplexVertex;
+
+/**
+ * The pairs of points between which the closest points lie.
+ */
+typedef struct mvSimplex {
+    /**
+     * The pairs, the first count of them.
+     */
+    mvSimplexVertex vertices[4];
+    /**
+     * Their number, 1 to 4.
+     */
+    int count;
+} mvSimplex;
+
+/**
+ * Where a ray or a moving shape hits a shape.
+ */
+typedef struct mvCastOutput {
+    /**
+     * The outward normal of the surface at the point, of length 1.
+     */
+    mvVec3 normal;
+    /**
+     * The point on the surface [m].
+     */
+    mvVec3 point;
+    /**
+     * The fraction of the translation travelled.
+     */
+    mvFloat fraction;
+    /**
+     * The number of iterations used; 0 where the answer is a closed form.
+     */
+    int iterations;
+    /**
+     * Whether there was a hit. If not, everything else is zero.
+     */
+    bool hit;
+} mvCastOutput;
+
+/**
+ * Two solids, of which the second is moved without turning.
+ */
+typedef struct mvShapeCastPairInput {
+    /**
+     * The solid that stands, A.
+     */
+    mvShapeProxy proxyA;
+    /**
+     * The solid that moves, B.
+     */
+    mvShapeProxy proxyB;
+    /**
+     * Where B starts, seen from A.
+     */
+    mvTransform transform;
+    /**
+     * From the start to the end of B's motion, in the frame of A [m].
+     */
+    mvVec3 translationB;
+    /**
+     * The greatest fraction of the translation to consider, >= 0; usually 1.
+     */
+    mvFloat maxFraction;
+    /**
+     * Whether solids that touch at the start may come a little closer. Only false is built yet.
+     */
+    bool canEncroach;
+} mvShapeCastPairInput;
+
+/**
+ * A solid that is moved without turning.
+ */
+typedef struct mvShapeCastInput {
+    /**
+     * The solid.
+     */
+    mvShapeProxy proxy;
+    /**
+     * From the start to the end of the motion [m].
+     */
+    mvVec3 translation;
+    /**
+     * The greatest fraction of the translation to consider, >= 0; usually 1.
+     */
+    mvFloat maxFraction;
+    /**
+     * Whether solids that touch at the start may come a little closer. Only false is built yet.
+     */
+    bool canEncroach;
+} mvShapeCastInput;
 
 /**
  * The kind of a failure: one of the mv_error... constants. Numbers are never reused.
@@ -864,137 +1294,6 @@ typedef struct mvContactEvents {
 } mvContactEvents;
 
 /**
- * A ball.
- */
-typedef struct mvSphere {
-    /**
-     * The centre [m].
-     */
-    mvVec3 center;
-    /**
-     * The radius [m], at least 1e-5.
-     */
-    mvFloat radius;
-} mvSphere;
-
-/**
- * All points within a radius of a segment.
- */
-typedef struct mvCapsule {
-    /**
-     * The centre of one end [m].
-     */
-    mvVec3 center1;
-    /**
-     * The centre of the other end [m], at least 1e-5 from the first.
-     */
-    mvVec3 center2;
-    /**
-     * The radius [m], at least 1e-5.
-     */
-    mvFloat radius;
-} mvCapsule;
-
-/**
- * A rigid placement: rotate by q, then shift by p.
- */
-typedef struct mvTransform {
-    mvVec3 p;
-    mvQuat q;
-} mvTransform;
-
-/**
- * A convex hull: this struct followed by its arrays, byteCount bytes in all. It may be copied as a block, with
- * alignment 8; offsets are in bytes from the start of this struct. It is read only: a changed hull is refused.
- */
-typedef struct mvHullData {
-    /**
-     * Identifies a hull of this version and precision of the library.
-     */
-    uint64_t version;
-    /**
-     * A hash of all bytes, counted with this field as 0.
-     */
-    uint64_t hash;
-    /**
-     * The box around the hull.
-     */
-    mvAABB aabb;
-    /**
-     * The area of the surface [m^2].
-     */
-    mvFloat surfaceArea;
-    /**
-     * The volume [m^3].
-     */
-    mvFloat volume;
-    /**
-     * The least distance from the center to a face [m].
-     */
-    mvFloat innerRadius;
-    /**
-     * The greatest distance from the center to a vertex [m].
-     */
-    mvFloat outerRadius;
-    /**
-     * The centre of mass [m].
-     */
-    mvVec3 center;
-    /**
-     * The inertia about the center for a density of 1 [m^5].
-     */
-    mvMatrix3 centralInertia;
-    /**
-     * Half the side lengths, if the hull was made as a box; zero otherwise.
-     */
-    mvVec3 boxHalfWidths;
-    /**
-     * Where the box is, if the hull was made as one.
-     */
-    mvTransform boxTransform;
-    /**
-     * The number of vertices and of points.
-     */
-    int32_t vertexCount;
-    /**
-     * Where the vertices are: mvGetHullVertices().
-     */
-    int32_t vertexOffset;
-    /**
-     * Where the points are: mvGetHullPoints().
-     */
-    int32_t pointOffset;
-    /**
-     * The number of half-edges: twice the number of edges.
-     */
-    int32_t edgeCount;
-    /**
-     * Where the half-edges are: mvGetHullEdges().
-     */
-    int32_t edgeOffset;
-    /**
-     * The number of faces and of planes.
-     */
-    int32_t faceCount;
-    /**
-     * Where the planes of the faces are: mvGetHullPlanes().
-     */
-    int32_t planeOffset;
-    /**
-     * Where the faces are: mvGetHullFaces().
-     */
-    int32_t faceOffset;
-    /**
-     * The number of bytes of the whole hull.
-     */
-    int32_t byteCount;
-    /**
-     * Zero.
-     */
-    int32_t padding;
-} mvHullData;
-
-/**
  * A ray to be cast at a shape, in the shape's frame.
  */
 typedef struct mvRayCastInput {
@@ -1011,32 +1310,6 @@ typedef struct mvRayCastInput {
      */
     mvFloat maxFraction;
 } mvRayCastInput;
-
-/**
- * Where a ray or a moving shape hits a shape.
- */
-typedef struct mvCastOutput {
-    /**
-     * The outward normal of the surface at the point, of length 1.
-     */
-    mvVec3 normal;
-    /**
-     * The point on the surface [m].
-     */
-    mvVec3 point;
-    /**
-     * The fraction of the translation travelled.
-     */
-    mvFloat fraction;
-    /**
-     * The number of iterations used; 0 where the answer is a closed form.
-     */
-    int iterations;
-    /**
-     * Whether there was a hit. If not, everything else is zero.
-     */
-    bool hit;
-} mvCastOutput;
 
 /**
  * A plane: the points whose dot product with the unit normal equals the offset. The distance of a point from
@@ -2094,6 +2367,79 @@ MV_API void mvBody_ApplyLinearImpulseToCenter(mvBodyId bodyId, mvVec3 impulse, b
 MV_API void mvBody_ApplyAngularImpulse(mvBodyId bodyId, mvVec3 impulse, bool wake);
 
 /**
+ * Get the point of a body's shapes closest to a target.
+ * @param bodyId the body
+ * @param result where to write the point, in the world; the target itself where that is inside, the body's origin when
+ * it has no shapes; may be null
+ * @param target the target, in the world [m]
+ * @return the distance [m]; 0 for bad arguments
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+mvFloat mvBody_GetClosestPoint(mvBodyId bodyId,
+                               mvVec3 *result,
+                               mvVec3 target);
+
+/**
+ * Cast a ray at a body as if it were somewhere. A ray that starts inside a shape does not hit that shape.
+ * @param bodyId the body
+ * @param origin where the ray starts [m]
+ * @param translation from the start to the end of the ray [m]
+ * @param filter which shapes the ray sees
+ * @param maxFraction the greatest fraction of the translation to consider, >= 0; usually 1
+ * @param bodyTransform where to think the body is
+ * @return the first hit; no hit for bad arguments
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+mvBodyCastResult mvBody_CastRay(mvBodyId bodyId,
+                                       mvPos origin,
+                                       mvVec3 translation,
+                                       mvQueryFilter filter,
+                                       mvFloat maxFraction,
+                                       mvWorldTransform bodyTransform);
+
+/**
+ * Move a solid against a body as if that were somewhere. A solid that overlaps a shape from the start does not hit
+ * that shape.
+ * @param bodyId the body
+ * @param origin what the points of the proxy are counted from [m]
+ * @param proxy the solid
+ * @param translation from the start to the end of the motion [m]
+ * @param filter which shapes the solid sees
+ * @param maxFraction the greatest fraction of the translation to consider, >= 0; usually 1
+ * @param canEncroach whether touching solids may come a little closer; only false is built yet
+ * @param bodyTransform where to think the body is
+ * @return the first hit; no hit for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange, mv_errorUnsupported.
+ */
+MV_API
+mvBodyCastResult mvBody_CastShape(mvBodyId bodyId,
+                                         mvPos origin,
+                                         const mvShapeProxy *proxy,
+                                         mvVec3 translation,
+                                         mvQueryFilter filter,
+                                         mvFloat maxFraction,
+                                         bool canEncroach,
+                                         mvWorldTransform bodyTransform);
+
+/**
+ * Does a solid touch or overlap a body as if that were somewhere?
+ * @param bodyId the body
+ * @param origin what the points of the proxy are counted from [m]
+ * @param proxy the solid
+ * @param filter which shapes the solid sees
+ * @param bodyTransform where to think the body is
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+bool mvBody_OverlapShape(mvBodyId bodyId,
+                         mvPos origin,
+                         const mvShapeProxy *proxy,
+                         mvQueryFilter filter,
+                         mvWorldTransform bodyTransform);
+
+/**
  * Get placement and velocities of all bodies that the next step moves. An array that is null is skipped.
  *
  * @param worldId the world
@@ -2126,6 +2472,117 @@ MV_API
 void mvBody_SetTransforms(const mvBodyId *ids,
                           const mvWorldTransform *transforms,
                           int count);
+
+/**
+ * Find the contact point of two spheres, if they touch or nearly do.
+ *
+ * @param manifold filled; its points are where the caller wants the points written
+ * @param capacity the room for points, >= 0
+ * @param sphereA the first sphere
+ * @param sphereB the second sphere
+ * @param transformBtoA where the second is, seen from the first
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate. The manifold is then empty.
+ */
+MV_API
+void mvCollideSpheres(mvLocalManifold *manifold,
+                      int capacity,
+                      const mvSphere *sphereA,
+                      const mvSphere *sphereB,
+                      mvTransform transformBtoA);
+
+/**
+ * Find the contact point of a capsule and a sphere, if they touch or nearly do.
+ *
+ * @param manifold filled; its points are where the caller wants the points written
+ * @param capacity the room for points, >= 0
+ * @param capsuleA the capsule
+ * @param sphereB the sphere
+ * @param transformBtoA where the sphere is, seen from the capsule
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate. The manifold is then empty.
+ */
+MV_API
+void mvCollideCapsuleAndSphere(mvLocalManifold *manifold,
+                               int capacity,
+                               const mvCapsule *capsuleA,
+                               const mvSphere *sphereB,
+                               mvTransform transformBtoA);
+
+/**
+ * Find the contact points of two capsules, if they touch or nearly do.
+ *
+ * @param manifold filled; its points are where the caller wants the points written
+ * @param capacity the room for points, >= 0
+ * @param capsuleA the first capsule
+ * @param capsuleB the second capsule
+ * @param transformBtoA where the second is, seen from the first
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate. The manifold is then empty.
+ */
+MV_API
+void mvCollideCapsules(mvLocalManifold *manifold,
+                       int capacity,
+                       const mvCapsule *capsuleA,
+                       const mvCapsule *capsuleB,
+                       mvTransform transformBtoA);
+
+/**
+ * Find the contact point of a hull and a sphere, if they touch or nearly do.
+ *
+ * @param manifold filled; its points are where the caller wants the points written
+ * @param capacity the room for points, >= 0
+ * @param hullA the hull
+ * @param sphereB the sphere
+ * @param transformBtoA where the sphere is, seen from the hull
+ * @param cache may be null; set to empty, since this pair needs none
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate. The manifold
+ * is then empty.
+ */
+MV_API
+void mvCollideHullAndSphere(mvLocalManifold *manifold,
+                            int capacity,
+                            const mvHullData *hullA,
+                            const mvSphere *sphereB,
+                            mvTransform transformBtoA,
+                            mvSimplexCache *cache);
+
+/**
+ * Find the contact points of a hull and a capsule, if they touch or nearly do.
+ *
+ * @param manifold filled; its points are where the caller wants the points written
+ * @param capacity the room for points, >= 0
+ * @param hullA the hull
+ * @param capsuleB the capsule
+ * @param transformBtoA where the capsule is, seen from the hull
+ * @param cache may be null; set to empty, since this pair needs none
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate. The manifold
+ * is then empty.
+ */
+MV_API
+void mvCollideHullAndCapsule(mvLocalManifold *manifold,
+                             int capacity,
+                             const mvHullData *hullA,
+                             const mvCapsule *capsuleB,
+                             mvTransform transformBtoA,
+                             mvSimplexCache *cache);
+
+/**
+ * Find the contact points of two hulls, if they touch or nearly do.
+ *
+ * @param manifold filled; its points are where the caller wants the points written
+ * @param capacity the room for points, >= 0
+ * @param hullA the first hull
+ * @param hullB the second hull
+ * @param transformBtoA where the second is, seen from the first
+ * @param cache written: how the pair stands; may be null
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate. The manifold
+ * is then empty.
+ */
+MV_API
+void mvCollideHulls(mvLocalManifold *manifold,
+                    int capacity,
+                    const mvHullData *hullA,
+                    const mvHullData *hullB,
+                    mvTransform transformBtoA,
+                    mvSATCache *cache);
 
 /**
  * Does this contact exist? A contact exists while the boxes of its shapes meet.
@@ -2161,6 +2618,106 @@ MV_API mvQueryFilter mvDefaultQueryFilter(void);
  * Get the default surface.
  */
 MV_API mvSurfaceMaterial mvDefaultSurfaceMaterial(void);
+
+/**
+ * Get the distance of two convex solids.
+ *
+ * @param input the solids
+ * @param cache written: which points carry the closest points; may be null. Today's search does not read it.
+ * @param simplexes filled with the simplex that the search ended with; may be null
+ * @param simplexCapacity the room in the array, >= 0
+ * @return the closest points, in the frame of A; zero for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+mvDistanceOutput mvShapeDistance(const mvDistanceInput *input,
+                                        mvSimplexCache *cache,
+                                        mvSimplex *simplexes,
+                                        int simplexCapacity);
+
+/**
+ * Move a convex solid until it touches another. Solids that overlap from the start do not hit.
+ *
+ * @param input the solids
+ * @return the first hit, in the frame of A; no hit for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange.
+ */
+MV_API mvCastOutput mvShapeCast(const mvShapeCastPairInput *input);
+
+/**
+ * Does a sphere touch or overlap a solid?
+ *
+ * @param shape the sphere
+ * @param shapeTransform where the sphere is
+ * @param proxy the solid
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API
+bool mvOverlapSphere(const mvSphere *shape,
+                     mvTransform shapeTransform,
+                     const mvShapeProxy *proxy);
+
+/**
+ * Does a capsule touch or overlap a solid?
+ *
+ * @param shape the capsule
+ * @param shapeTransform where the capsule is
+ * @param proxy the solid
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API
+bool mvOverlapCapsule(const mvCapsule *shape,
+                      mvTransform shapeTransform,
+                      const mvShapeProxy *proxy);
+
+/**
+ * Does a hull touch or overlap a solid?
+ *
+ * @param shape the hull
+ * @param shapeTransform where the hull is
+ * @param proxy the solid
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+bool mvOverlapHull(const mvHullData *shape,
+                   mvTransform shapeTransform,
+                   const mvShapeProxy *proxy);
+
+/**
+ * Move a solid against a sphere. A solid that overlaps from the start does not hit.
+ *
+ * @param shape the sphere
+ * @param input the solid and its motion, in the sphere's frame
+ * @return the first hit; no hit for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API
+mvCastOutput mvShapeCastSphere(const mvSphere *shape,
+                                      const mvShapeCastInput *input);
+
+/**
+ * Move a solid against a capsule. A solid that overlaps from the start does not hit.
+ *
+ * @param shape the capsule
+ * @param input the solid and its motion, in the capsule's frame
+ * @return the first hit; no hit for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
+ */
+MV_API
+mvCastOutput mvShapeCastCapsule(const mvCapsule *shape,
+                                       const mvShapeCastInput *input);
+
+/**
+ * Move a solid against a hull. A solid that overlaps from the start does not hit.
+ *
+ * @param shape the hull
+ * @param input the solid and its motion, in the hull's frame
+ * @return the first hit; no hit for bad arguments
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+mvCastOutput mvShapeCastHull(const mvHullData *shape,
+                                    const mvShapeCastInput *input);
 
 /**
  * Get the code of the latest failing call of this thread, and clear it.

@@ -65,7 +65,7 @@ pub fn shape_cast_proxy(
     cast_cores(a.core(), b.core(), a_from_b, translation, max_fraction)
 }
 
-fn cast_cores(a: &Core, b: &Core, pose: &Pose, translation: Vec3, max_fraction: Float) -> Option<CastHit> {
+pub(super) fn cast_cores(a: &Core, b: &Core, pose: &Pose, translation: Vec3, max_fraction: Float) -> Option<CastHit> {
     let mut pair = Pair::new(a.points, b.points, pose);
     let way = wide(translation);
     let (ra, radii) = (a.radius as f64, (a.radius + b.radius) as f64);

@@ -21,6 +21,7 @@ mod box_box;
 mod cast;
 mod clip;
 mod contact;
+mod core_query;
 mod epa;
 mod frame;
 pub mod gjk;
@@ -36,6 +37,7 @@ use crate::math::{Float, Pose};
 use crate::shape::Shape;
 
 pub use cast::{CastHit, shape_cast, shape_cast_proxy};
+pub use core_query::{SimplexVertex, cast_of_cores, distance_of_cores, simplex_of_cores};
 pub use contact::{MAX_MANIFOLD_POINTS, Manifold, ManifoldPoint};
 pub use query::{DistanceResult, DistanceStatus, Proxy, distance, distance_proxy, overlap};
 

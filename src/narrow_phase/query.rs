@@ -111,7 +111,7 @@ fn overlapping(point: Vec3) -> DistanceResult {
     }
 }
 
-fn distance_cores(a: &Core, b: &Core, pose: &Pose) -> DistanceResult {
+pub(super) fn distance_cores(a: &Core, b: &Core, pose: &Pose) -> DistanceResult {
     let close = Pair::new(a.points, b.points, pose).distance(Float::MAX);
     let (ra, rb) = (a.radius as f64, b.radius as f64);
     let (on_a, on_b) = (close.a + close.normal * ra, close.b - close.normal * rb);
