@@ -87,7 +87,7 @@ typedef float mvFloat;
 /**
  * The most points of an mvShapeProxy.
  */
-#define MV_MAX_SHAPE_CAST_POINTS 255
+#define MV_MAX_SHAPE_CAST_POINTS 64
 
 /**
  * The most vertices of a hull.
@@ -1427,6 +1427,74 @@ typedef struct mvSegmentDistanceResult {
 } mvSegmentDistanceResult;
 
 /**
+ * What a query looked at.
+ */
+typedef struct mvTreeStats {
+    /**
+     * The number of shapes that the callback was told of.
+     */
+    int leafVisits;
+} mvTreeStats;
+
+/**
+ * Told of a shape that an overlap query found.
+ *
+ * @return true to go on, false to stop
+ */
+typedef bool (*mvOverlapResultFcn)(mvShapeId shapeId, void *context);
+
+/**
+ * Told of a shape that a ray or a moving solid hit, nearest first.
+ *
+ * @param point where, in the world [m]
+ * @param normal the outward normal of the surface there
+ * @param fraction the fraction of the translation travelled
+ * @param userMaterialId the user material of the shape
+ * @param triangleIndex -1: shapes of triangles are not built yet
+ * @param childIndex -1: compound shapes are not built yet
+ * @return -1 to ignore this shape, 0 to stop, a fraction to look no farther than that, 1 to go on
+ */
+typedef mvFloat (*mvCastResultFcn)(mvShapeId shapeId,
+                                   mvPos point,
+                                   mvVec3 normal,
+                                   mvFloat fraction,
+                                   uint64_t userMaterialId,
+                                   int triangleIndex,
+                                   int childIndex,
+                                   void *context);
+
+/**
+ * Where a ray or a moving solid hits a shape.
+ */
+typedef struct mvRayResult {
+    /**
+     * The shape that was hit.
+     */
+    mvShapeId shapeId;
+    /**
+     * The point on its surface [m].
+     */
+    mvPos point;
+    /**
+     * The outward normal of the surface at the point, of length 1; zero where a moving solid overlaps the shape from
+     * the start.
+     */
+    mvVec3 normal;
+    /**
+     * The user material of the shape.
+     */
+    uint64_t userMaterialId;
+    /**
+     * The fraction of the translation travelled.
+     */
+    mvFloat fraction;
+    /**
+     * Whether there was a hit. If not, everything else is zero.
+     */
+    bool hit;
+} mvRayResult;
+
+/**
  * What a shape is: one of the mv_...Shape constants. Boxes are hulls.
  */
 typedef int32_t mvShapeType;
@@ -2386,7 +2454,7 @@ mvFloat mvBody_GetClosestPoint(mvBodyId bodyId,
  * @param origin where the ray starts [m]
  * @param translation from the start to the end of the ray [m]
  * @param filter which shapes the ray sees
- * @param maxFraction the greatest fraction of the translation to consider, >= 0; usually 1
+ * @param maxFraction the greatest fraction of the translation to consider, 0 to 1
  * @param bodyTransform where to think the body is
  * @return the first hit; no hit for bad arguments
  * @note Errors: mv_errorNotFinite, mv_errorRange.
@@ -2400,14 +2468,14 @@ mvBodyCastResult mvBody_CastRay(mvBodyId bodyId,
                                        mvWorldTransform bodyTransform);
 
 /**
- * Move a solid against a body as if that were somewhere. A solid that overlaps a shape from the start does not hit
- * that shape.
+ * Move a solid against a body as if that were somewhere. A shape that it overlaps from the start is hit at fraction 0
+ * with a zero normal.
  * @param bodyId the body
  * @param origin what the points of the proxy are counted from [m]
  * @param proxy the solid
  * @param translation from the start to the end of the motion [m]
  * @param filter which shapes the solid sees
- * @param maxFraction the greatest fraction of the translation to consider, >= 0; usually 1
+ * @param maxFraction the greatest fraction of the translation to consider, 0 to 1
  * @param canEncroach whether touching solids may come a little closer; only false is built yet
  * @param bodyTransform where to think the body is
  * @return the first hit; no hit for bad arguments
@@ -3175,6 +3243,204 @@ mvSegmentDistanceResult mvSegmentDistance(mvVec3 p1,
                                                  mvVec3 q2);
 
 /**
+ * Find the shapes whose boxes overlap a box. The world may be read but not changed in the callback.
+ *
+ * @param worldId the world
+ * @param aabb the box
+ * @param filter which shapes the query sees
+ * @param fcn told of each shape, in order of their places
+ * @param context passed to fcn
+ * @return what was looked at; zero for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+mvTreeStats mvWorld_OverlapAABB(mvWorldId worldId,
+                                       mvAABB aabb,
+                                       mvQueryFilter filter,
+                                       mvOverlapResultFcn fcn,
+                                       void *context);
+
+/**
+ * Find the shapes whose boxes overlap a box, into an array.
+ *
+ * @param worldId the world
+ * @param aabb the box
+ * @param filter which shapes the query sees
+ * @param shapeIds filled with the shapes, in order of their places; may be null
+ * @param capacity the room in the array, >= 0
+ * @return how many were found, which may be more than the capacity; 0 for bad arguments
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+int mvWorld_OverlapAABBAll(mvWorldId worldId,
+                           mvAABB aabb,
+                           mvQueryFilter filter,
+                           mvShapeId *shapeIds,
+                           int capacity);
+
+/**
+ * Find the shapes that touch or overlap a solid. The world may be read but not changed in the callback.
+ *
+ * @param worldId the world
+ * @param origin what the points of the proxy are counted from [m]
+ * @param proxy the solid
+ * @param filter which shapes the query sees
+ * @param fcn told of each shape, in order of their places
+ * @param context passed to fcn
+ * @return what was looked at; zero for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+mvTreeStats mvWorld_OverlapShape(mvWorldId worldId,
+                                        mvPos origin,
+                                        const mvShapeProxy *proxy,
+                                        mvQueryFilter filter,
+                                        mvOverlapResultFcn fcn,
+                                        void *context);
+
+/**
+ * Find the shapes that touch or overlap a solid, into an array.
+ *
+ * @param worldId the world
+ * @param origin what the points of the proxy are counted from [m]
+ * @param proxy the solid
+ * @param filter which shapes the query sees
+ * @param shapeIds filled with the shapes, in order of their places; may be null
+ * @param capacity the room in the array, >= 0
+ * @return how many were found, which may be more than the capacity; 0 for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+int mvWorld_OverlapShapeAll(mvWorldId worldId,
+                            mvPos origin,
+                            const mvShapeProxy *proxy,
+                            mvQueryFilter filter,
+                            mvShapeId *shapeIds,
+                            int capacity);
+
+/**
+ * Cast a ray and be told of the shapes that it hits, nearest first. Shapes in which it starts are not hit. The world
+ * may be read but not changed in the callback.
+ *
+ * @param worldId the world
+ * @param origin where the ray starts [m]
+ * @param translation from the start to the end of the ray [m]
+ * @param filter which shapes the ray sees
+ * @param fcn told of each hit
+ * @param context passed to fcn
+ * @return what was looked at; zero for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+mvTreeStats mvWorld_CastRay(mvWorldId worldId,
+                                   mvPos origin,
+                                   mvVec3 translation,
+                                   mvQueryFilter filter,
+                                   mvCastResultFcn fcn,
+                                   void *context);
+
+/**
+ * Cast a ray and get the nearest shape that it hits. Shapes in which it starts are not hit.
+ *
+ * @param worldId the world
+ * @param origin where the ray starts [m]
+ * @param translation from the start to the end of the ray [m]
+ * @param filter which shapes the ray sees
+ * @return the nearest hit; of equally near ones that of the shape with the lowest place; no hit for bad arguments
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+mvRayResult mvWorld_CastRayClosest(mvWorldId worldId,
+                                          mvPos origin,
+                                          mvVec3 translation,
+                                          mvQueryFilter filter);
+
+/**
+ * Cast a ray and get the shapes that it hits, nearest first. Shapes in which it starts are not hit.
+ *
+ * @param worldId the world
+ * @param origin where the ray starts [m]
+ * @param translation from the start to the end of the ray [m]
+ * @param filter which shapes the ray sees
+ * @param results filled with the hits; may be null
+ * @param capacity the room in the array, >= 0
+ * @return how many hits there are, which may be more than the capacity; 0 for bad arguments
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+int mvWorld_CastRayAll(mvWorldId worldId,
+                       mvPos origin,
+                       mvVec3 translation,
+                       mvQueryFilter filter,
+                       mvRayResult *results,
+                       int capacity);
+
+/**
+ * Move a solid without turning and be told of the shapes that it hits, nearest first. A shape that it overlaps from
+ * the start is hit at fraction 0 with a zero normal. The world may be read but not changed in the callback.
+ *
+ * @param worldId the world
+ * @param origin what the points of the proxy are counted from [m]
+ * @param proxy the solid
+ * @param translation from the start to the end of the motion [m]
+ * @param filter which shapes the solid sees
+ * @param fcn told of each hit
+ * @param context passed to fcn
+ * @return what was looked at; zero for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+mvTreeStats mvWorld_CastShape(mvWorldId worldId,
+                                     mvPos origin,
+                                     const mvShapeProxy *proxy,
+                                     mvVec3 translation,
+                                     mvQueryFilter filter,
+                                     mvCastResultFcn fcn,
+                                     void *context);
+
+/**
+ * Move a solid without turning and get the nearest shape that it hits. A shape that it overlaps from the start is hit
+ * at fraction 0 with a zero normal.
+ *
+ * @param worldId the world
+ * @param origin what the points of the proxy are counted from [m]
+ * @param proxy the solid
+ * @param translation from the start to the end of the motion [m]
+ * @param filter which shapes the solid sees
+ * @return the nearest hit; of equally near ones that of the shape with the lowest place; no hit for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+mvRayResult mvWorld_CastShapeClosest(mvWorldId worldId,
+                                            mvPos origin,
+                                            const mvShapeProxy *proxy,
+                                            mvVec3 translation,
+                                            mvQueryFilter filter);
+
+/**
+ * Move a solid without turning and get the shapes that it hits, nearest first. A shape that it overlaps from the start
+ * is hit at fraction 0 with a zero normal.
+ *
+ * @param worldId the world
+ * @param origin what the points of the proxy are counted from [m]
+ * @param proxy the solid
+ * @param translation from the start to the end of the motion [m]
+ * @param filter which shapes the solid sees
+ * @param results filled with the hits; may be null
+ * @param capacity the room in the array, >= 0
+ * @return how many hits there are, which may be more than the capacity; 0 for bad arguments
+ * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+int mvWorld_CastShapeAll(mvWorldId worldId,
+                         mvPos origin,
+                         const mvShapeProxy *proxy,
+                         mvVec3 translation,
+                         mvQueryFilter filter,
+                         mvRayResult *results,
+                         int capacity);
+
+/**
  * Attach a sphere to a body.
  *
  * @param bodyId the body
@@ -3623,6 +3889,12 @@ void mvWorld_Step(mvWorldId worldId,
  */
 MV_API
 mvAABB mvWorld_GetBounds(mvWorldId worldId);
+
+/**
+ * Arrange the static shapes of a world anew, after many were made. Changes no answer, only how fast it comes.
+ * @param worldId the world
+ */
+MV_API void mvWorld_RebuildStaticTree(mvWorldId worldId);
 
 /**
  * Set the user data of a world.

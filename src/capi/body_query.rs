@@ -1,16 +1,13 @@
 //! Rays, moving solids and distances against the shapes of one body.
 
 use super::def::mvQueryFilter;
-use super::distance::{Cloud, moved_against, mvShapeProxy, no_encroaching, touches};
-use super::geometry::from_outside;
+use super::distance::{mvShapeProxy, no_encroaching};
 use super::guard::{Neutral, needed, neutral};
 use super::id::{mvBodyId, mvShapeId};
 use super::math::{ORIGIN, ZERO3, mvPos, mvVec3, mvWorldTransform};
-use super::registry::{View, read_body, view_body};
+use super::registry::read_body;
 use super::{Flag, mvFloat};
-use crate::error::{Result, check};
-use crate::math::{Pose, Vec3};
-use crate::world::{BodyRef, ColliderRef};
+use crate::world::ShapeHit;
 use core::ffi::c_int;
 
 /// Where a ray or a moving solid hits a body.
@@ -70,7 +67,7 @@ pub extern "C" fn mvBody_GetClosestPoint(
 /// @param origin where the ray starts [m]
 /// @param translation from the start to the end of the ray [m]
 /// @param filter which shapes the ray sees
-/// @param maxFraction the greatest fraction of the translation to consider, >= 0; usually 1
+/// @param maxFraction the greatest fraction of the translation to consider, 0 to 1
 /// @param bodyTransform where to think the body is
 /// @return the first hit; no hit for bad arguments
 /// @note Errors: mv_errorNotFinite, mv_errorRange.
@@ -83,31 +80,21 @@ pub extern "C" fn mvBody_CastRay(
     max_fraction: mvFloat,
     body_transform: mvWorldTransform,
 ) -> mvBodyCastResult {
-    view_body(body_id, |v, b| {
-        let (origin, way) = (origin.point("origin")?, translation.point("translation")?);
-        let most = check::not_negative("maxFraction", max_fraction)?;
-        let mut best = mvBodyCastResult::NEUTRAL;
-        each_shape(v, b, filter, body_transform, |shape, pose| {
-            let most = if best.hit { best.fraction } else { most };
-            let hit = shape.shape().ray_cast(pose.point_back(origin), pose.vector_back(way), most);
-            if let Some(h) = hit.filter(from_outside)
-                && (!best.hit || h.fraction < best.fraction)
-            {
-                best = result(shape, pose.point(h.point), pose.vector(h.normal), h.fraction);
-            }
-        })?;
-        Ok(best)
+    read_body(body_id, |b| {
+        let at = body_transform.pose("bodyTransform")?;
+        let hit = b.ray_cast(origin.raw(), translation.raw(), filter.raw(), max_fraction, &at)?;
+        Ok(hit.map_or(mvBodyCastResult::NEUTRAL, Into::into))
     })
 }
 
-/// Move a solid against a body as if that were somewhere. A solid that overlaps a shape from the start does not hit
-/// that shape.
+/// Move a solid against a body as if that were somewhere. A shape that it overlaps from the start is hit at fraction 0
+/// with a zero normal.
 /// @param bodyId the body
 /// @param origin what the points of the proxy are counted from [m]
 /// @param proxy the solid
 /// @param translation from the start to the end of the motion [m]
 /// @param filter which shapes the solid sees
-/// @param maxFraction the greatest fraction of the translation to consider, >= 0; usually 1
+/// @param maxFraction the greatest fraction of the translation to consider, 0 to 1
 /// @param canEncroach whether touching solids may come a little closer; only false is built yet
 /// @param bodyTransform where to think the body is
 /// @return the first hit; no hit for bad arguments
@@ -123,23 +110,13 @@ pub unsafe extern "C" fn mvBody_CastShape(
     can_encroach: Flag,
     body_transform: mvWorldTransform,
 ) -> mvBodyCastResult {
-    view_body(body_id, |v, b| {
+    read_body(body_id, |b| {
         // Sound: the caller passes a proxy with as many points as it says.
-        let cloud = unsafe { at(origin, proxy) }?;
-        let way = translation.point("translation")?;
-        let most = check::not_negative("maxFraction", max_fraction)?;
+        let cloud = unsafe { needed("The proxy", proxy)?.copied() }?;
         no_encroaching(can_encroach)?;
-        let mut best = mvBodyCastResult::NEUTRAL;
-        each_shape(v, b, filter, body_transform, |shape, pose| {
-            let most = if best.hit { best.fraction } else { most };
-            let hit = moved_against(shape.shape(), pose, &cloud, way, most);
-            if let Some(h) = hit.filter(|h| h.normal != Vec3::zeros())
-                && (!best.hit || h.fraction < best.fraction)
-            {
-                best = result(shape, h.point, h.normal, h.fraction);
-            }
-        })?;
-        Ok(best)
+        let (solid, at) = (cloud.proxy()?, body_transform.pose("bodyTransform")?);
+        let hit = b.shape_cast(&solid, origin.raw(), translation.raw(), filter.raw(), max_fraction, &at)?;
+        Ok(hit.map_or(mvBodyCastResult::NEUTRAL, Into::into))
     })
 }
 
@@ -158,50 +135,23 @@ pub unsafe extern "C" fn mvBody_OverlapShape(
     filter: mvQueryFilter,
     body_transform: mvWorldTransform,
 ) -> bool {
-    view_body(body_id, |v, b| {
+    read_body(body_id, |b| {
         // Sound: the caller passes a proxy with as many points as it says.
-        let cloud = unsafe { at(origin, proxy) }?;
-        let mut any = false;
-        each_shape(v, b, filter, body_transform, |shape, pose| any |= touches(shape.shape(), pose, &cloud))?;
-        Ok(any)
+        let cloud = unsafe { needed("The proxy", proxy)?.copied() }?;
+        b.overlap_shape(&cloud.proxy()?, origin.raw(), filter.raw(), &body_transform.pose("bodyTransform")?)
     })
 }
 
-/// The proxy's solid, placed at `origin`.
-///
-/// # Safety
-/// The proxy's points are as many as it says.
-pub(super) unsafe fn at(origin: mvPos, proxy: Option<&mvShapeProxy>) -> Result<Cloud> {
-    let origin = origin.point("origin")?;
-    // Sound: by this function's contract.
-    Ok(unsafe { needed("The proxy", proxy)?.checked() }?.shifted(origin))
-}
-
-fn each_shape(
-    v: View<'_>,
-    body: BodyRef<'_>,
-    filter: mvQueryFilter,
-    transform: mvWorldTransform,
-    mut f: impl FnMut(&ColliderRef<'_>, &Pose),
-) -> Result<()> {
-    let (filter, pose) = (filter.raw(), transform.pose("bodyTransform")?);
-    for id in body.shapes() {
-        let shape = v.world.shape(id)?;
-        if filter.sees(&shape.filter()) {
-            f(&shape, &pose.then(&shape.local_pose()));
+impl From<ShapeHit> for mvBodyCastResult {
+    fn from(h: ShapeHit) -> Self {
+        Self {
+            shape_id: h.shape.into(),
+            point: h.point.into(),
+            normal: h.normal.into(),
+            fraction: h.fraction,
+            user_material_id: h.user_material_id,
+            iterations: 0,
+            hit: true,
         }
-    }
-    Ok(())
-}
-
-fn result(shape: &ColliderRef<'_>, point: Vec3, normal: Vec3, fraction: mvFloat) -> mvBodyCastResult {
-    mvBodyCastResult {
-        shape_id: shape.id().into(),
-        point: point.into(),
-        normal: normal.into(),
-        fraction,
-        user_material_id: shape.material().user_material_id,
-        iterations: 0,
-        hit: true,
     }
 }

@@ -8,18 +8,14 @@ use std::sync::Arc;
 
 /// A user's pointer: handed back, never followed.
 #[derive(Clone, Copy)]
-pub(super) struct Context(*mut c_void);
+struct Context(*mut c_void);
 
 // Sound: the pointer is only passed back to the user's own function, which answers for its threads.
 unsafe impl Send for Context {}
 unsafe impl Sync for Context {}
 
 impl Context {
-    pub(super) fn new(context: *mut c_void) -> Self {
-        Self(context)
-    }
-
-    pub(super) fn get(self) -> *mut c_void {
+    fn get(self) -> *mut c_void {
         self.0
     }
 }

@@ -8,13 +8,16 @@ use super::math::{ZERO3, mvTransform, mvVec3};
 use super::shape_data::{mvCapsule, mvSphere};
 use super::{Flag, mvFloat};
 use crate::error::{Error, ErrorCode, Result, check};
-use crate::math::{Aabb, Float, Pose, Vec3, tolerance::MAX_COORDINATE};
-use crate::narrow_phase::{CastHit, cast_of_cores, distance_of_cores, simplex_of_cores};
-use crate::shape::{Core, CorePoints, Shape};
+use crate::math::{Float, Pose, Vec3};
+use crate::narrow_phase::{
+    CastHit, MAX_PROXY_POINTS, Proxy, cast_proxy, distance_proxy, overlap_proxy, shape_cast_proxy, witnesses,
+};
+use crate::shape::Shape;
 use core::ffi::c_int;
 
 /// The most points of an mvShapeProxy.
-pub const MV_MAX_SHAPE_CAST_POINTS: i32 = 255;
+pub const MV_MAX_SHAPE_CAST_POINTS: i32 = 64;
+const _: () = assert!(MV_MAX_SHAPE_CAST_POINTS as usize == MAX_PROXY_POINTS);
 
 /// A convex solid: all points within a radius of the convex hull of some points.
 #[derive(Clone, Copy, Debug)]
@@ -145,50 +148,30 @@ neutral! {
     };
 }
 
-/// The points and the radius of a proxy, checked.
+/// The points and the radius of a proxy, as the engine takes them.
 pub(super) struct Cloud {
     points: Vec<Vec3>,
-    pub radius: Float,
+    radius: Float,
 }
 
 impl Cloud {
-    pub(super) fn core(&self) -> Core<'_> {
-        Core { points: CorePoints::Cloud(&self.points), radius: self.radius }
-    }
-
-    /// The cloud with every point shifted.
-    pub(super) fn shifted(mut self, by: Vec3) -> Self {
-        self.points.iter_mut().for_each(|p| *p += by);
-        self
-    }
-
-    /// The box around it.
-    pub(super) fn aabb(&self) -> Aabb {
-        Aabb::of_points(&self.points).grown(self.radius)
-    }
-
-    /// The point farthest against `up`.
-    fn lowest(&self, up: Vec3) -> Vec3 {
-        let height = |p: &Vec3| up.dot(p);
-        self.points.iter().copied().min_by(|p, q| height(p).total_cmp(&height(q))).unwrap_or_default()
+    pub(super) fn proxy(&self) -> Result<Proxy<'_>> {
+        Proxy::new(&self.points, self.radius)
     }
 }
 
 impl mvShapeProxy {
     /// # Safety
     /// `points` is null or points to `count` points.
-    pub(super) unsafe fn checked(&self) -> Result<Cloud> {
+    pub(super) unsafe fn copied(&self) -> Result<Cloud> {
         let n = count("The proxy's number of points", self.count)?;
-        if n == 0 || n > MV_MAX_SHAPE_CAST_POINTS as usize {
-            let sentence = format!("A proxy has 1 to {MV_MAX_SHAPE_CAST_POINTS} points, not {n}.");
+        if n == 0 || n > MAX_PROXY_POINTS {
+            let sentence = format!("A proxy has 1 to {MAX_PROXY_POINTS} points, not {n}.");
             return Err(Error::new(ErrorCode::Range, sentence));
         }
         // Sound: by this function's contract.
         let points = unsafe { slice("the proxy's points", self.points, self.count) }?;
-        Ok(Cloud {
-            points: points.iter().map(|p| p.point("A point of the proxy")).collect::<Result<_>>()?,
-            radius: check::within("The proxy's radius", self.radius, 0.0, MAX_COORDINATE)?,
-        })
+        Ok(Cloud { points: points.iter().map(|p| p.raw()).collect(), radius: self.radius })
     }
 }
 
@@ -210,34 +193,40 @@ pub unsafe extern "C" fn mvShapeDistance(
     call(|| {
         let input = needed("The input", input)?;
         // Sound: the caller passes proxies with as many points as they say.
-        let (mut a, mut b) = unsafe { (input.proxy_a.checked()?, input.proxy_b.checked()?) };
+        let (mut a, mut b) = unsafe { (input.proxy_a.copied()?, input.proxy_b.copied()?) };
+        (a.proxy()?, b.proxy()?);
         let pose = input.transform.pose("transform")?;
         // Sound: the caller passes that much room.
         let room = unsafe { room("simplexes", simplexes, simplex_capacity) }?;
         if !flag("useRadii", input.use_radii)? {
             (a.radius, b.radius) = (0.0, 0.0);
         }
-        let d = distance_of_cores(&a.core(), &b.core(), &pose);
+        let (pa, pb) = (a.proxy()?, b.proxy()?);
+        let d = distance_proxy(&pa, &pb, &pose);
         let mut written = 0;
         if cache.is_some() || !room.is_empty() {
-            let (vertices, n) = simplex_of_cores(&a.core(), &b.core(), &pose);
+            let (pairs, n) = witnesses(&pa, &pb, &pose);
             if let Some(cache) = cache {
                 let metric = d.distance + if d.distance > 0.0 { a.radius + b.radius } else { 0.0 };
                 *cache = mvSimplexCache {
                     metric,
                     count: n as u16,
-                    index_a: vertices.map(|v| v.index.0 as u8),
-                    index_b: vertices.map(|v| v.index.1 as u8),
+                    index_a: pairs.map(|(i, _)| i as u8),
+                    index_b: pairs.map(|(_, j)| j as u8),
                 };
             }
             if let Some(place) = room.first_mut() {
-                let vertices = vertices.map(|v| mvSimplexVertex {
-                    w_a: v.a.into(),
-                    w_b: v.b.into(),
-                    w: (v.b - v.a).into(),
-                    index_a: c_int::from(v.index.0),
-                    index_b: c_int::from(v.index.1),
-                });
+                let mut vertices = [NO_VERTEX; 4];
+                for (v, (i, j)) in vertices.iter_mut().zip(&pairs[..n]) {
+                    let (wa, wb) = (a.points[*i as usize], pose.point(b.points[*j as usize]));
+                    *v = mvSimplexVertex {
+                        w_a: wa.into(),
+                        w_b: wb.into(),
+                        w: (wb - wa).into(),
+                        index_a: c_int::from(*i),
+                        index_b: c_int::from(*j),
+                    };
+                }
                 place.write(mvSimplex { vertices, count: n as c_int });
                 written = 1;
             }
@@ -263,12 +252,12 @@ pub unsafe extern "C" fn mvShapeCast(input: Option<&mvShapeCastPairInput>) -> mv
     call(|| {
         let input = needed("The input", input)?;
         // Sound: the caller passes proxies with as many points as they say.
-        let (a, b) = unsafe { (input.proxy_a.checked()?, input.proxy_b.checked()?) };
+        let (a, b) = unsafe { (input.proxy_a.copied()?, input.proxy_b.copied()?) };
         let pose = input.transform.pose("transform")?;
         let way = input.translation_b.point("translationB")?;
         let most = check::not_negative("maxFraction", input.max_fraction)?;
         no_encroaching(input.can_encroach)?;
-        Ok(output(cast_of_cores(&a.core(), &b.core(), &pose, way, most)))
+        Ok(output(shape_cast_proxy(&a.proxy()?, &b.proxy()?, &pose, way, most)))
     })
 }
 
@@ -396,8 +385,8 @@ unsafe fn overlaps(
     proxy: Option<&mvShapeProxy>,
 ) -> Result<bool> {
     // Sound: by this function's contract.
-    let cloud = unsafe { needed("The proxy", proxy)?.checked() }?;
-    Ok(touches(shape, &transform.pose("shapeTransform")?.then(local), &cloud))
+    let cloud = unsafe { needed("The proxy", proxy)?.copied() }?;
+    Ok(overlap_proxy(shape, &cloud.proxy()?, &transform.pose("shapeTransform")?.then(local).inverse()))
 }
 
 /// # Safety
@@ -405,11 +394,12 @@ unsafe fn overlaps(
 unsafe fn cast(shape: &Shape, local: &Pose, input: Option<&mvShapeCastInput>) -> Result<mvCastOutput> {
     let input = needed("The input", input)?;
     // Sound: by this function's contract.
-    let cloud = unsafe { input.proxy.checked() }?;
+    let cloud = unsafe { input.proxy.copied() }?;
     let way = input.translation.point("translation")?;
     let most = check::not_negative("maxFraction", input.max_fraction)?;
     no_encroaching(input.can_encroach)?;
-    Ok(output(moved_against(shape, local, &cloud, way, most)))
+    let hit = cast_proxy(shape, &cloud.proxy()?, &local.inverse(), local.vector_back(way), most);
+    Ok(output(hit.map(|h| CastHit { point: local.point(h.point), normal: local.vector(h.normal), ..h })))
 }
 
 pub(super) fn no_encroaching(can_encroach: Flag) -> Result<()> {
@@ -419,38 +409,8 @@ pub(super) fn no_encroaching(can_encroach: Flag) -> Result<()> {
     Ok(())
 }
 
-/// Whether a shape placed at `pose` and a cloud in the same frame have a point in common.
-pub(super) fn touches(shape: &Shape, pose: &Pose, cloud: &Cloud) -> bool {
-    match (shape, shape.core()) {
-        (_, Some(core)) => distance_of_cores(&core, &cloud.core(), &pose.inverse()).distance <= 0.0,
-        (Shape::HalfSpace(h), None) => h.height(pose.point_back(cloud.lowest(pose.vector(h.normal())))) <= cloud.radius,
-        (_, None) => false,
-    }
-}
-
-/// Where a cloud that is moved first touches a shape placed at `pose`, all in one frame.
-pub(super) fn moved_against(
-    shape: &Shape,
-    pose: &Pose,
-    cloud: &Cloud,
-    way: Vec3,
-    max_fraction: Float,
-) -> Option<CastHit> {
-    let local_way = pose.vector_back(way);
-    let hit = match (shape, shape.core()) {
-        (_, Some(core)) => cast_of_cores(&core, &cloud.core(), &pose.inverse(), local_way, max_fraction)?,
-        (Shape::HalfSpace(h), None) => {
-            let lowest = pose.point_back(cloud.lowest(pose.vector(h.normal()))) - h.normal() * cloud.radius;
-            let hit = shape.ray_cast(lowest, local_way, max_fraction)?;
-            CastHit { fraction: hit.fraction, point: hit.point, normal: hit.normal }
-        }
-        (_, None) => return None,
-    };
-    Some(CastHit { point: pose.point(hit.point), normal: pose.vector(hit.normal), ..hit })
-}
-
 /// A hit for C, unless the solids overlapped from the start.
-pub(super) fn output(hit: Option<CastHit>) -> mvCastOutput {
+fn output(hit: Option<CastHit>) -> mvCastOutput {
     hit.filter(|h| h.normal != Vec3::zeros()).map_or(NO_HIT, |h| mvCastOutput {
         normal: h.normal.into(),
         point: h.point.into(),

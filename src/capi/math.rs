@@ -2,7 +2,7 @@
 
 use super::guard::neutral;
 use super::mvFloat;
-use crate::error::{Error, ErrorCode, Result, check};
+use crate::error::{Result, check};
 use crate::math::{Aabb, Mat3, Pose, Quat, Vec3, vec3};
 
 /// A vector or point in two dimensions.
@@ -246,16 +246,5 @@ impl mvMatrix3 {
 impl mvAABB {
     pub(super) fn raw(self) -> Aabb {
         Aabb { lower: self.lower_bound.raw(), upper: self.upper_bound.raw() }
-    }
-
-    /// The box, checked to be finite and in order.
-    pub(super) fn ordered(self, name: &str) -> Result<Aabb> {
-        self.lower_bound.finite(name)?;
-        self.upper_bound.finite(name)?;
-        let b = self.raw();
-        if b.is_valid() {
-            return Ok(b);
-        }
-        Err(Error::new(ErrorCode::Range, format!("{name} has a lower bound above its upper bound.")))
     }
 }

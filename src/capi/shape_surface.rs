@@ -2,13 +2,14 @@
 
 use super::contact::mvContactData;
 use super::def::*;
-use super::geometry::{from_outside, mvWorldCastOutput};
+use super::geometry::mvWorldCastOutput;
 use super::guard::{Neutral, c_count, fill, room};
 use super::id::mvShapeId;
 use super::math::{mvAABB, mvPos, mvVec3};
 use super::registry::{read_shape, view_shape, write_shape};
 use super::shape_data::mvMassData;
 use super::{Flag, mvFloat};
+use crate::math::Vec3;
 use crate::world::SurfaceMaterial;
 use core::ffi::c_int;
 
@@ -190,8 +191,8 @@ pub extern "C" fn mvShape_AreHitEventsEnabled(shape_id: mvShapeId) -> bool {
 #[unsafe(no_mangle)]
 pub extern "C" fn mvShape_RayCast(shape_id: mvShapeId, origin: mvPos, translation: mvVec3) -> mvWorldCastOutput {
     read_shape(shape_id, |s| {
-        let hit = s.ray_cast(origin.point("origin")?, translation.point("translation")?, 1.0);
-        Ok(hit.filter(from_outside).map_or(mvWorldCastOutput::NEUTRAL, |h| mvWorldCastOutput {
+        let hit = s.ray_cast(origin.raw(), translation.raw())?;
+        Ok(hit.filter(|h| h.normal != Vec3::zeros()).map_or(mvWorldCastOutput::NEUTRAL, |h| mvWorldCastOutput {
             normal: h.normal.into(),
             point: h.point.into(),
             fraction: h.fraction,

@@ -96,6 +96,16 @@ pub extern "C" fn mvWorld_GetBounds(world_id: mvWorldId) -> mvAABB {
     })
 }
 
+/// Arrange the static shapes of a world anew, after many were made. Changes no answer, only how fast it comes.
+/// @param worldId the world
+#[unsafe(no_mangle)]
+pub extern "C" fn mvWorld_RebuildStaticTree(world_id: mvWorldId) {
+    write_world(world_id, |e| {
+        e.world.broad_phase.rebuild_static();
+        Ok(())
+    });
+}
+
 /// Set the user data of a world.
 /// @param worldId the world
 /// @param userData anything; it is never followed

@@ -200,6 +200,13 @@ impl IslandStore {
         (island.height, island.anchored, island.changed) = (height, anchored, false);
     }
 
+    /// The depths of the bodies of the island that was measured last, by their places in it: 1 on something
+    /// immovable, 0 where no path leads.
+    #[must_use]
+    pub fn depths(&self) -> &[u32] {
+        &self.depth
+    }
+
     /// Bytes held.
     #[must_use]
     pub fn byte_count(&self) -> usize {

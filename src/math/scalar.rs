@@ -46,3 +46,19 @@ portable! {
 pub fn sin_cos(x: Float) -> (Float, Float) {
     (sin(x), cos(x))
 }
+
+/// To double, in which a few delicate parts compute in both builds.
+#[inline(always)]
+#[must_use]
+#[cfg_attr(feature = "f64", allow(clippy::unnecessary_cast))]
+pub fn double(x: Float) -> f64 {
+    x as f64
+}
+
+/// From double, rounded to nearest.
+#[inline(always)]
+#[must_use]
+#[cfg_attr(feature = "f64", allow(clippy::unnecessary_cast))]
+pub fn single(x: f64) -> Float {
+    x as Float
+}

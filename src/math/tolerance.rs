@@ -12,10 +12,11 @@ pub const MIN_SIZE: Float = 1e-5;
 /// The greatest coordinate or size accepted \[m\]. Squares and cubes of it still are finite in f32.
 pub const MAX_COORDINATE: Float = 1e9;
 
-/// How far a point may stand out of a hull's face and still count as lying in it, in units of ε × the sum of
-/// the largest |coordinates| along the three axes. Input points carry half an ulp of rounding each, a rotation
-/// applied by the caller a few more.
-pub const HULL_FLATNESS: f64 = 12.0;
+/// How far a point may stand out of a hull's face and still count as lying in it, as a share of the sum of the
+/// largest |coordinates| along the three axes. Input points carry half an ulp of rounding each, a rotation applied by
+/// the caller a few more. The hull is built in double: with double input its own rounding, on thin triangles, is what
+/// counts.
+pub const HULL_FLATNESS: f64 = if cfg!(feature = "f64") { 4e-12 } else { 4.0 * f32::EPSILON as f64 };
 
 /// By how much of the thinner shape's inner radius an edge–edge axis must beat the best face axis. Without it
 /// a box that rocks by a hair would trade its four-point face manifold for a single point, back and forth.
@@ -39,8 +40,9 @@ pub const EQUAL_DEPTH: Float = 1e-4;
 /// double in both builds, so this is far above its rounding and far below that of f32 results.
 pub const GJK_PROGRESS: f64 = 1e-13;
 
-/// Below this share of the largest core coordinate, squared, the distance of two cores is zero.
-pub const GJK_TOUCH: f64 = 1e-26;
+/// Below this share of the largest core coordinate, squared, the distance of two cores is zero: closer than that
+/// the direction between them would be rounding, and EPA knows the normal better.
+pub const GJK_TOUCH: f64 = 1e-20;
 
 /// EPA ends when a new support point would move the depth by less than this share of the scale.
 pub const EPA_PROGRESS: f64 = 1e-11;

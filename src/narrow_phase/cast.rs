@@ -4,9 +4,10 @@
 
 use super::gjk::{Pair, Status};
 use super::query::{Proxy, core, lowest};
+use crate::math::scalar::{double, single};
 use crate::math::tolerance::CAST_ARRIVAL;
 use crate::math::{Float, Pose, Vec3};
-use crate::shape::{Core, Shape, narrow, wide};
+use crate::shape::{Core, HalfSpace, Shape, narrow, wide};
 
 /// Polytopes arrive within a dozen steps, grazing balls need a few more.
 const MAX_STEPS: u32 = 64;
@@ -37,11 +38,7 @@ pub fn shape_cast(
         (Shape::HalfSpace(_), Shape::HalfSpace(_)) => {
             Some(CastHit { fraction: 0.0, point: Vec3::zeros(), normal: Vec3::zeros() })
         }
-        (Shape::HalfSpace(h), _) => {
-            let p = lowest(h, &core(b), a_from_b);
-            let hit = Shape::HalfSpace(*h).ray_cast(p, translation, max_fraction)?;
-            Some(CastHit { fraction: hit.fraction, point: hit.point, normal: hit.normal })
-        }
+        (Shape::HalfSpace(h), _) => cast_at_half_space(h, &core(b), a_from_b, translation, max_fraction),
         (_, Shape::HalfSpace(_)) => {
             let hit =
                 shape_cast(b, a, &a_from_b.inverse(), -a_from_b.vector_back(translation), max_fraction)?;
@@ -50,6 +47,21 @@ pub fn shape_cast(
             Some(CastHit { fraction: hit.fraction, point, normal: -a_from_b.vector(hit.normal) })
         }
         _ => cast_cores(&core(a), &core(b), a_from_b, translation, max_fraction),
+    }
+}
+
+/// The same for a proxy moving towards a shape.
+#[must_use]
+pub fn cast_proxy(
+    a: &Shape,
+    b: &Proxy,
+    a_from_b: &Pose,
+    translation: Vec3,
+    max_fraction: Float,
+) -> Option<CastHit> {
+    match a {
+        Shape::HalfSpace(h) => cast_at_half_space(h, b.core(), a_from_b, translation, max_fraction),
+        _ => cast_cores(&core(a), b.core(), a_from_b, translation, max_fraction),
     }
 }
 
@@ -65,17 +77,29 @@ pub fn shape_cast_proxy(
     cast_cores(a.core(), b.core(), a_from_b, translation, max_fraction)
 }
 
-pub(super) fn cast_cores(a: &Core, b: &Core, pose: &Pose, translation: Vec3, max_fraction: Float) -> Option<CastHit> {
+fn cast_at_half_space(
+    h: &HalfSpace,
+    b: &Core,
+    pose: &Pose,
+    translation: Vec3,
+    max_fraction: Float,
+) -> Option<CastHit> {
+    let p = lowest(h, b, pose);
+    let hit = Shape::HalfSpace(*h).ray_cast(p, translation, max_fraction)?;
+    Some(CastHit { fraction: hit.fraction, point: hit.point, normal: hit.normal })
+}
+
+fn cast_cores(a: &Core, b: &Core, pose: &Pose, translation: Vec3, max_fraction: Float) -> Option<CastHit> {
     let mut pair = Pair::new(a.points, b.points, pose);
     let way = wide(translation);
-    let (ra, radii) = (a.radius as f64, (a.radius + b.radius) as f64);
+    let (ra, radii) = (double(a.radius), double(a.radius + b.radius));
     let mut fraction = 0.0;
     for step in 0..MAX_STEPS {
         let close = pair.distance(Float::MAX);
         let gap = close.distance - radii;
         let hit = |normal| {
             let point = narrow(close.a + close.normal * ra);
-            Some(CastHit { fraction: fraction as Float, point, normal })
+            Some(CastHit { fraction: single(fraction), point, normal })
         };
         if step == 0 && (gap <= 0.0 || close.status == Status::Overlapping) {
             return hit(Vec3::zeros());
@@ -94,7 +118,7 @@ pub(super) fn cast_cores(a: &Core, b: &Core, pose: &Pose, translation: Vec3, max
         }
         let advance = gap / approach;
         fraction += advance;
-        if fraction > max_fraction as f64 {
+        if fraction > double(max_fraction) {
             return None;
         }
         pair.shift(way * advance);

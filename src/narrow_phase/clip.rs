@@ -10,10 +10,10 @@ use crate::shape::Polytope;
 /// Set in the label of an edge that lies on a side of the reference face; the rest is the number within the loop.
 const REFERENCE: u16 = 1 << 15;
 
-/// By what share of the reference shape's inner radius a corner may stand outside a side and still count as inside.
+/// By what share of the thinner shape's inner radius a corner may stand outside a side and still count as inside.
 /// Boxes of equal size lie exactly on top of each other all the time: without this, rounding would decide in each
 /// step anew whether a corner belongs to the one or the other.
-const FLUSH: Float = 1e-4;
+pub(super) const FLUSH: Float = 1e-4;
 
 /// A convex polygon with a label for the edge that leaves each corner.
 struct Polygon<const N: usize> {
@@ -37,15 +37,24 @@ impl<const N: usize> Polygon<N> {
         }
     }
 
-    /// The part with `side · x ≤ offset`, up to `flush`.
+    /// Cuts away what lies beyond `side · x = offset` (`side` of any length); `false` where nothing does, and `out` is
+    /// left as it was. Corners within `flush` of the plane stay.
     #[inline(always)]
-    fn clip(&self, side: Vec3, offset: Float, flush: Float, label: u16, out: &mut Self) {
+    fn clip(&self, side: Vec3, offset: Float, flush: Float, label: u16, out: &mut Self) -> bool {
+        let mut heights = [0.0; N];
+        let mut top = 0.0;
+        for (h, x) in heights.iter_mut().zip(&self.corners[..self.len]) {
+            *h = side.dot(x) - offset;
+            top = h.max(top);
+        }
+        if top <= 0.0 {
+            return false;
+        }
+        let flush = flush * length_squared(side).sqrt();
         out.len = 0;
-        let Some(last) = self.len.checked_sub(1) else { return };
-        let mut here = side.dot(&self.corners[0]) - offset;
         for i in 0..self.len {
-            let k = if i == last { 0 } else { i + 1 };
-            let next = side.dot(&self.corners[k]) - offset;
+            let k = if i + 1 == self.len { 0 } else { i + 1 };
+            let (here, next) = (heights[i], heights[k]);
             let cut = || self.corners[i] + (self.corners[k] - self.corners[i]) * (here / (here - next));
             match (here <= flush, next <= flush) {
                 (true, true) => out.push(self.corners[i], self.labels[i]),
@@ -58,8 +67,8 @@ impl<const N: usize> Polygon<N> {
                 (false, true) if next < -flush => out.push(cut(), self.labels[i]),
                 (false, _) => {}
             }
-            here = next;
         }
+        true
     }
 }
 
@@ -94,18 +103,19 @@ fn fill<P: Polytope, Q: Polytope, const N: usize>(
     out: &mut Manifold,
 ) {
     let ((n, d), sides) = (p.plane(face), p.face_vertices(face));
-    let (mut polygon, mut scratch) = (Polygon::<N>::empty(), Polygon::<N>::empty());
+    let (mut first, mut second) = (Polygon::<N>::empty(), Polygon::<N>::empty());
+    let (mut polygon, mut scratch) = (&mut first, &mut second);
     for (i, &v) in q.face_vertices(incident).iter().enumerate() {
         polygon.push(frame.point(q.vertex(v as usize)), i as u16);
     }
-    let flush = FLUSH * p.inner_radius();
+    let flush = FLUSH * p.inner_radius().min(q.inner_radius());
     for i in 0..sides.len() {
         let a = p.vertex(sides[i] as usize);
         let b = p.vertex(sides[if i + 1 == sides.len() { 0 } else { i + 1 }] as usize);
         let side = (b - a).cross(&n);
-        let l = length_squared(side).sqrt();
-        polygon.clip(side, side.dot(&a), flush * l, i as u16 | REFERENCE, &mut scratch);
-        std::mem::swap(&mut polygon, &mut scratch);
+        if polygon.clip(side, side.dot(&a), flush, i as u16 | REFERENCE, scratch) {
+            std::mem::swap(&mut polygon, &mut scratch);
+        }
     }
     let mut candidates = [Candidate::default(); N];
     let mut count = 0;

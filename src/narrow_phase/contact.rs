@@ -110,6 +110,12 @@ pub(super) mod feature {
         make(OTHER, i, j)
     }
 
+    /// Another number for the same pair of features.
+    #[inline]
+    pub const fn twin(id: u32) -> u32 {
+        id | OTHER << (2 * SHIFT)
+    }
+
     /// The number of the same pair with A and B exchanged.
     #[inline]
     pub const fn mirrored(id: u32) -> u32 {

@@ -31,7 +31,7 @@ pub(super) struct Depth {
     pub b: Wide,
 }
 
-const MAX_VERTICES: usize = 96;
+const MAX_VERTICES: usize = 64;
 const MAX_FACES: usize = 2 * MAX_VERTICES;
 
 #[derive(Clone, Copy, Default)]
@@ -53,7 +53,7 @@ pub(super) fn depth(pair: &Pair, simplex: &Simplex) -> Depth {
     let (seed, len) = spread(pair, simplex);
     let seed = match (seed, len) {
         (seed, 4) => seed,
-        (seed, len) => return flat(&seed[..len]),
+        (seed, len) => return flat(pair, &seed[..len]),
     };
     let scale = seed.iter().map(|v| v.w.amax()).fold(0.0, f64::max);
     let mut polytope = Polytope {
@@ -81,7 +81,7 @@ pub(super) fn depth(pair: &Pair, simplex: &Simplex) -> Depth {
         }
         best = polytope.closest();
     }
-    let (a, b) = polytope.witnesses(&best, scale);
+    let (a, b) = pair.witnesses(polytope.weights(&best, scale).iter().map(|(v, k)| (v, *k)));
     // What the best normal really gives, even where the search ended early.
     Depth { status, depth: -pair.gap_along(best.normal), normal: best.normal, a, b }
 }
@@ -92,7 +92,7 @@ impl Polytope {
         let [a, b, c] = v.map(|i| self.vertices[i as usize].w);
         let n = (b - a).cross(&(c - a));
         let l = n.dot(&n).sqrt();
-        if !(l > 0.0) || self.faces_len == MAX_FACES {
+        if l <= 0.0 || self.faces_len == MAX_FACES {
             return false;
         }
         let normal = n / l;
@@ -142,9 +142,9 @@ impl Polytope {
         n >= 3 && horizon[..n].iter().all(|&[from, to]| self.add([from, to, tip]))
     }
 
-    /// The points of A and B whose difference is the point of the surface closest to the origin. Several triangles
+    /// The vertices and weights of the point of the surface closest to the origin. Several triangles
     /// may share the plane of `best`: the one that holds the point knows it.
-    fn witnesses(&self, best: &Face, scale: f64) -> (Wide, Wide) {
+    fn weights(&self, best: &Face, scale: f64) -> [(Vertex, f64); 3] {
         let mut found = (f64::NEG_INFINITY, [0.0; 3], best.v);
         for f in &self.faces[..self.faces_len] {
             if f.normal.dot(&best.normal) < 1.0 - 1e-9 || f.distance - best.distance > 1e-9 * scale {
@@ -161,9 +161,7 @@ impl Polytope {
         }
         let k = found.1.map(|k| k.max(0.0));
         let sum = (k[0] + k[1] + k[2]).max(f64::MIN_POSITIVE);
-        let v = found.2.map(|i| self.vertices[i as usize]);
-        let mix = |p: [Wide; 3]| (p[0] * k[0] + p[1] * k[1] + p[2] * k[2]) / sum;
-        (mix(v.map(|v| v.a)), mix(v.map(|v| v.b)))
+        [0, 1, 2].map(|i| (self.vertices[found.2[i] as usize], k[i] / sum))
     }
 }
 
@@ -231,7 +229,7 @@ fn stands_out(v: &[Vertex], w: Wide) -> f64 {
 }
 
 /// Two cores without a common volume, which touch: any normal of their difference will do.
-fn flat(v: &[Vertex]) -> Depth {
+fn flat(pair: &Pair, v: &[Vertex]) -> Depth {
     let normal = match v {
         [a, b, c, ..] => (b.w - a.w).cross(&(c.w - a.w)),
         [a, b] => {
@@ -242,7 +240,7 @@ fn flat(v: &[Vertex]) -> Depth {
         }
         _ => Wide::y(),
     };
-    let n = v.len() as f64;
-    let sum = v.iter().fold((Wide::zeros(), Wide::zeros()), |s, v| (s.0 + v.a, s.1 + v.b));
-    Depth { status: Status::Flat, depth: 0.0, normal: normal / normal.norm(), a: sum.0 / n, b: sum.1 / n }
+    let share = 1.0 / v.len() as f64;
+    let (a, b) = pair.witnesses(v.iter().map(|v| (v, share)));
+    Depth { status: Status::Flat, depth: 0.0, normal: normal / normal.norm(), a, b }
 }

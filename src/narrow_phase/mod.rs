@@ -21,25 +21,27 @@ mod box_box;
 mod cast;
 mod clip;
 mod contact;
-mod core_query;
 mod epa;
 mod frame;
-pub mod gjk;
+mod gjk;
 mod polytopes;
 mod query;
 mod reduce;
 mod sat;
 mod segment;
+mod witness;
 #[cfg(test)]
 mod tests;
 
 use crate::math::{Float, Pose};
 use crate::shape::Shape;
 
-pub use cast::{CastHit, shape_cast, shape_cast_proxy};
-pub use core_query::{SimplexVertex, cast_of_cores, distance_of_cores, simplex_of_cores};
+pub use cast::{CastHit, cast_proxy, shape_cast, shape_cast_proxy};
 pub use contact::{MAX_MANIFOLD_POINTS, Manifold, ManifoldPoint};
-pub use query::{DistanceResult, DistanceStatus, Proxy, distance, distance_proxy, overlap};
+pub use query::{
+    DistanceResult, DistanceStatus, MAX_PROXY_POINTS, Proxy, distance, distance_proxy, overlap, overlap_proxy,
+};
+pub use witness::witnesses;
 
 /// How manifolds between bounded shapes are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

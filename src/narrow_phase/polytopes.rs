@@ -6,9 +6,10 @@ use super::frame::Frame;
 use super::gjk::{Pair, Status};
 use super::sat::{best_edges, best_face, edge_gap, face_gap};
 use super::{Cache, CachedAxis, clip, epa};
+use crate::math::scalar::single;
 use crate::math::tolerance::{DEPTH_PREFERENCE, EDGE_PREFERENCE, FACE_PREFERENCE};
 use crate::math::{Float, Pose, Vec3};
-use crate::shape::{Polytope, narrow, wide};
+use crate::shape::{Polytope, Wide, narrow, wide};
 
 /// Above this many pairs of edges GJK is faster than trying them all.
 const MOST_EDGE_PAIRS: usize = 1500;
@@ -65,15 +66,27 @@ fn by_sat<P: Polytope, Q: Polytope>(
         preferences(p.inner_radius(), q.inner_radius(), gap_a.max(gap_b));
     let b_is_reference = gap_b > gap_a + face_preference;
     let face_gap = if b_is_reference { gap_b } else { gap_a };
-    if let Some(edges) = best_edges(p, q, &frame, margin)
+    if let Some(edges) = best_edges(p, q, &frame, &back, margin)
         && edges.gap > face_gap + edge_preference
     {
-        cache.axis = CachedAxis::Edges(edges.a as u16, edges.b as u16);
-        if edges.gap <= margin {
-            out.normal = edges.normal;
-            let point = between_edges(p, q, &frame, edges.a, edges.b);
-            out.push(point, edges.gap, feature::edges(edges.a, edges.b));
+        // Between the slivers of a bent plate, rounding can make two edges seem to face each other that do not.
+        let whole = gap_of_all(p, q, &frame, edges.normal);
+        if whole < edges.gap - 0.5 * edge_preference {
+            return by_gjk(p, q, pose, margin, cache, out);
         }
+        cache.axis = CachedAxis::Edges(edges.a as u16, edges.b as u16);
+        if whole > margin {
+            return;
+        }
+        let (ea, eb) = (ends(p, edges.a), ends(q, edges.b).map(|v| frame.point(v)));
+        let (s, t) = closest_of_segments(ea, eb);
+        // Edges that are apart and pass each other beyond their ends say little: there the distance decides.
+        if edges.gap > 0.0 && !(inner(s) && inner(t)) {
+            return by_gjk(p, q, pose, margin, cache, out);
+        }
+        out.normal = edges.normal;
+        let point = (ea[0] + (ea[1] - ea[0]) * s + eb[0] + (eb[1] - eb[0]) * t) * 0.5;
+        out.push(point, edges.gap, feature::edges(edges.a, edges.b));
         return;
     }
     if b_is_reference {
@@ -102,22 +115,25 @@ fn cached_gap<P: Polytope, Q: Polytope>(
             let (n, _) =
                 edge_gap(on_a, end_a - on_a, frame.point(on_b), frame.vector(end_b - on_b), p.center())?;
             // The edges may no longer face each other: measure the whole solids.
-            let low = frame.point(q.vertex(q.support(-frame.vector_back(n))));
-            Some(n.dot(&low) - n.dot(&p.vertex(p.support(n))))
+            Some(gap_of_all(p, q, frame, n))
         }
         _ => None,
     }
+}
+
+/// The gap between the whole solids along the unit normal `n`.
+fn gap_of_all<P: Polytope, Q: Polytope>(p: &P, q: &Q, frame: &Frame, n: Vec3) -> Float {
+    let low = frame.point(q.vertex(q.support(-frame.vector_back(n))));
+    n.dot(&(low - p.vertex(p.support(n))))
 }
 
 fn ends<P: Polytope>(p: &P, edge: usize) -> [Vec3; 2] {
     p.edge(edge).v.map(|v| p.vertex(v as usize))
 }
 
-/// The middle between the closest points of two edges.
-fn between_edges<P: Polytope, Q: Polytope>(p: &P, q: &Q, frame: &Frame, a: usize, b: usize) -> Vec3 {
-    let (ea, eb) = (ends(p, a), ends(q, b).map(|v| frame.point(v)));
-    let (s, t) = closest_of_segments(ea, eb);
-    (ea[0] + (ea[1] - ea[0]) * s + eb[0] + (eb[1] - eb[0]) * t) * 0.5
+/// Whether a parameter lies between the ends of its edge.
+pub(super) fn inner(s: Float) -> bool {
+    s > 0.0 && s < 1.0
 }
 
 /// Clips against a face of A (`Ok`) or of B (`Err`).
@@ -141,6 +157,29 @@ fn from_face<P: Polytope, Q: Polytope>(
     }
 }
 
+/// EPA gave up: its normal, or that of a face where this parts the solids sooner. The result is that of `by_gjk`:
+/// the normal, the gap, and the points.
+#[cold]
+fn better_face<P: Polytope, Q: Polytope>(
+    p: &P,
+    q: &Q,
+    pose: &Pose,
+    pair: &Pair,
+    d: &epa::Depth,
+) -> (Wide, f64, Wide, Wide) {
+    let frame = Frame::new(pose);
+    let (_, face_a) = best_face(p, q, &frame, Float::MAX);
+    let (_, face_b) = best_face(q, p, &frame.inverse(), Float::MAX);
+    let mut best = (d.normal, -d.depth);
+    for n in [wide(p.plane(face_a).0), wide(-frame.vector(q.plane(face_b).0))] {
+        let gap = pair.gap_along(n);
+        if gap > best.1 {
+            best = (n, gap);
+        }
+    }
+    (best.0, best.1, d.a, d.b)
+}
+
 /// The normal from GJK, or from EPA where the solids overlap; the points from the faces along it.
 pub(super) fn by_gjk<P: Polytope, Q: Polytope>(
     p: &P,
@@ -156,24 +195,27 @@ pub(super) fn by_gjk<P: Polytope, Q: Polytope>(
         CachedAxis::FaceB(i) if (i as usize) < q.face_count() => Some(-pose.vector(q.plane(i as usize).0)),
         _ => None,
     };
-    if remembered.is_some_and(|n| pair.gap_along(wide(n)) as Float > margin) {
+    if remembered.is_some_and(|n| single(pair.gap_along(wide(n))) > margin) {
         return;
     }
     let close = pair.distance(margin.max(0.0));
     let (n, gap, on_a, on_b) = match close.status {
         Status::Overlapping => {
             let d = epa::depth(&pair, &close.simplex);
-            (d.normal, -d.depth, d.a, d.b)
+            match d.status {
+                epa::Status::Limit => better_face(p, q, pose, &pair, &d),
+                epa::Status::Converged | epa::Status::Flat => (d.normal, -d.depth, d.a, d.b),
+            }
         }
         _ => (close.normal, close.distance, close.a, close.b),
     };
     let (frame, normal) = (Frame::new(pose), narrow(n));
     let (face_a, face_b) = (p.face_along(normal), q.face_along(-frame.vector_back(normal)));
     cache.axis = CachedAxis::FaceA(face_a as u16);
-    if close.status == Status::Beyond || gap as Float > margin {
+    if close.status == Status::Beyond || single(gap) > margin {
         return;
     }
-    let gap = gap as Float;
+    let gap = single(gap);
     let back = frame.inverse();
     let (gap_a, gap_b) = (face_gap(p, q, &frame, face_a), face_gap(q, p, &back, face_b));
     let (face_preference, edge_preference) = preferences(p.inner_radius(), q.inner_radius(), gap);

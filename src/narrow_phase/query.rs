@@ -3,7 +3,8 @@
 use super::gjk::Pair;
 pub use super::gjk::Status as DistanceStatus;
 use crate::error::{Error, ErrorCode, Result, check};
-use crate::math::{Float, Pose, Vec3};
+use crate::math::scalar::{double, single};
+use crate::math::{Aabb, Float, Pose, Vec3};
 use crate::shape::{Core, CorePoints, HalfSpace, Shape, narrow};
 
 /// How far two shapes are apart, in the frame of A.
@@ -50,6 +51,13 @@ impl<'a> Proxy<'a> {
         Ok(Self { core: Core { points: CorePoints::Cloud(points), radius } })
     }
 
+    /// The box around it, in the frame of its points \[m\].
+    #[must_use]
+    pub fn aabb(&self) -> Aabb {
+        let CorePoints::Cloud(points) = self.core.points else { unreachable!("a proxy is made of points") };
+        Aabb::of_points(points).grown(self.core.radius)
+    }
+
     pub(super) fn core(&self) -> &Core<'a> {
         &self.core
     }
@@ -86,12 +94,25 @@ pub fn overlap(a: &Shape, b: &Shape, a_from_b: &Pose) -> bool {
     let (Some(ca), Some(cb)) = (a.core(), b.core()) else {
         return distance(a, b, a_from_b).distance <= 0.0;
     };
-    let reach = ca.radius + cb.radius;
-    let close = Pair::new(ca.points, cb.points, a_from_b).distance(reach);
+    overlap_cores(&ca, &cb, a_from_b)
+}
+
+/// Whether a shape and a proxy have a point in common.
+#[must_use]
+pub fn overlap_proxy(a: &Shape, b: &Proxy, a_from_b: &Pose) -> bool {
+    match a {
+        Shape::HalfSpace(h) => h.height(lowest(h, &b.core, a_from_b)) <= 0.0,
+        _ => overlap_cores(&core(a), &b.core, a_from_b),
+    }
+}
+
+fn overlap_cores(a: &Core, b: &Core, pose: &Pose) -> bool {
+    let reach = a.radius + b.radius;
+    let close = Pair::new(a.points, b.points, pose).distance(reach);
     match close.status {
         DistanceStatus::Beyond => false,
         DistanceStatus::Overlapping => true,
-        _ => close.distance as Float <= reach,
+        _ => single(close.distance) <= reach,
     }
 }
 
@@ -111,11 +132,11 @@ fn overlapping(point: Vec3) -> DistanceResult {
     }
 }
 
-pub(super) fn distance_cores(a: &Core, b: &Core, pose: &Pose) -> DistanceResult {
+fn distance_cores(a: &Core, b: &Core, pose: &Pose) -> DistanceResult {
     let close = Pair::new(a.points, b.points, pose).distance(Float::MAX);
-    let (ra, rb) = (a.radius as f64, b.radius as f64);
+    let (ra, rb) = (double(a.radius), double(b.radius));
     let (on_a, on_b) = (close.a + close.normal * ra, close.b - close.normal * rb);
-    let gap = (close.distance - ra - rb) as Float;
+    let gap = single(close.distance - ra - rb);
     // Where only the rounded parts overlap, the point that shares the way between the cores by the radii is in both.
     let share = if ra + rb > 0.0 { ra / (ra + rb) } else { 0.0 };
     let middle = close.a + close.normal * (close.distance * share);

@@ -45,31 +45,42 @@ pub(super) struct EdgeAxis {
     pub normal: Vec3,
 }
 
-/// The edge pair with the greatest gap.
+/// The edge pair with the greatest gap. `frame` is that of `p` from `q`, `back` the other way.
 pub(super) fn best_edges<P: Polytope, Q: Polytope>(
     p: &P,
     q: &Q,
     frame: &Frame,
+    back: &Frame,
     margin: Float,
 ) -> Option<EdgeAxis> {
+    // The inner loop should read tables.
+    if P::IMPLICIT && !Q::IMPLICIT {
+        let found = scan_edges(q, p, back, margin)?;
+        let EdgeAxis { gap, a, b, normal } = found;
+        return Some(EdgeAxis { gap, a: b, b: a, normal: -frame.vector(normal) });
+    }
+    scan_edges(p, q, frame, margin)
+}
+
+fn scan_edges<P: Polytope, Q: Polytope>(p: &P, q: &Q, frame: &Frame, margin: Float) -> Option<EdgeAxis> {
     let mut best: Option<EdgeAxis> = None;
     for j in 0..q.edge_count() {
-        let e = q.edge(j);
-        let (v, w) = (q.vertex(e.v[0] as usize), q.vertex(e.v[1] as usize));
-        let (along_b, on_b) = (frame.vector(w - v), frame.point(v));
-        let (n0, n1) = (frame.vector(q.plane(e.f[0] as usize).0), frame.vector(q.plane(e.f[1] as usize).0));
+        let e = q.edge_ray(j);
+        let (on_b, along_b) = (frame.point(e.start), frame.vector(e.along));
+        let [n0, n1] = e.normals.map(|n| frame.vector(n));
         for i in 0..p.edge_count() {
-            let f = p.edge(i);
-            let (m0, m1) = (p.plane(f.f[0] as usize).0, p.plane(f.f[1] as usize).0);
-            let on_a = p.vertex(f.v[0] as usize);
-            let along_a = p.vertex(f.v[1] as usize) - on_a;
-            // The arcs m0 m1 and −n0 −n1 on the sphere of normals cross: only then do the edges face each other.
-            let (c, d) = (-n0.dot(&along_a), -n1.dot(&along_a));
-            let (a, b) = (m0.dot(&along_b), m1.dot(&along_b));
-            if c * d >= 0.0 || a * b >= 0.0 || c * b <= 0.0 {
+            let f = p.edge_ray(i);
+            // The arcs between the normals of either edge, B's turned round, cross on the sphere: only then do the
+            // edges face each other.
+            let (a, b) = (f.normals[0].dot(&along_b), f.normals[1].dot(&along_b));
+            if a * b >= 0.0 {
                 continue;
             }
-            if let Some((normal, gap)) = edge_gap(on_a, along_a, on_b, along_b, p.center())
+            let (c, d) = (-n0.dot(&f.along), -n1.dot(&f.along));
+            if c * d >= 0.0 || c * b <= 0.0 {
+                continue;
+            }
+            if let Some((normal, gap)) = edge_gap(f.start, f.along, on_b, along_b, p.center())
                 && best.is_none_or(|x| gap > x.gap)
             {
                 best = Some(EdgeAxis { gap, a: i, b: j, normal });

@@ -5,12 +5,13 @@ use super::analytic::{CROSSING, closest_of_segments};
 use super::contact::{Manifold, feature};
 use super::epa;
 use super::gjk::{Pair, Status};
+use crate::math::scalar::single;
 use crate::math::tolerance::{DEPTH_PREFERENCE, EDGE_PREFERENCE, PARALLEL_SINE};
 use crate::math::{Float, Pose, Vec3, length, length_squared};
 use crate::shape::{Capsule, CorePoints, Polytope, Sphere, narrow};
 
 /// A capsule lies on a face when its normal leans less than this from the face's (cosine).
-const ALONG_FACE: Float = 0.9;
+const ALONG_FACE: Float = 0.998;
 
 /// The same for a capsule whose segment is inside the solid.
 const ALONG_FACE_DEEP: Float = 0.9999;
@@ -45,7 +46,7 @@ pub(super) fn sphere_polytope<P: Polytope>(
         match close.status {
             Status::Beyond => return,
             Status::Overlapping => (b.plane(face).0, top),
-            _ => (-narrow(close.normal), close.distance as Float),
+            _ => (-narrow(close.normal), single(close.distance)),
         }
     };
     let separation = gap - a.radius();
@@ -79,11 +80,11 @@ pub(super) fn capsule_polytope<P: Polytope>(
         Status::Beyond => return,
         Status::Overlapping if gjk => {
             let d = epa::depth(&pair, &close.simplex);
-            Axis { outward: -narrow(d.normal), gap: -d.depth as Float, on_segment: narrow(d.a) }
+            Axis { outward: -narrow(d.normal), gap: single(-d.depth), on_segment: narrow(d.a) }
         }
-        Status::Overlapping => deep_axis(ends, b),
+        Status::Overlapping => deep_axis(ends, b, narrow(close.a)),
         _ => {
-            Axis { outward: -narrow(close.normal), gap: close.distance as Float, on_segment: narrow(close.a) }
+            Axis { outward: -narrow(close.normal), gap: single(close.distance), on_segment: narrow(close.a) }
         }
     };
     if axis.gap > reach {
@@ -101,7 +102,10 @@ pub(super) fn capsule_polytope<P: Polytope>(
     };
     if !found {
         out.count = 0;
-        add(a.radius(), axis.on_segment, &axis, axis.gap, margin, feature::edges(0, 0), out);
+        // Inside, the deepest end may lie beside the solid: what counts is the depth here.
+        let top = axis.outward.dot(&b.vertex(b.support(axis.outward)));
+        let here = if axis.gap > 0.0 { axis.gap } else { axis.outward.dot(&axis.on_segment) - top };
+        add(a.radius(), axis.on_segment, &axis, here, margin, feature::edges(0, 0), out);
     }
     out.normal = -pose.vector(axis.outward);
     for p in &mut out.points[..out.count] {
@@ -116,8 +120,8 @@ fn add(radius: Float, on_segment: Vec3, axis: &Axis, gap: Float, margin: Float, 
     }
 }
 
-/// The segment pierces the solid: the best of all faces and edges.
-fn deep_axis<P: Polytope>(ends: [Vec3; 2], b: &P) -> Axis {
+/// The segment pierces the solid, `common` being a point of both: the best of all faces and edges.
+fn deep_axis<P: Polytope>(ends: [Vec3; 2], b: &P, common: Vec3) -> Axis {
     let (mut gap, mut outward) = (-Float::MAX, Vec3::y());
     for i in 0..b.face_count() {
         let (n, d) = b.plane(i);
@@ -126,8 +130,7 @@ fn deep_axis<P: Polytope>(ends: [Vec3; 2], b: &P) -> Axis {
             (gap, outward) = (g, n);
         }
     }
-    let deepest = usize::from(outward.dot(&ends[1]) < outward.dot(&ends[0]));
-    let mut best = Axis { outward, gap, on_segment: ends[deepest] };
+    let mut best = Axis { outward, gap, on_segment: common };
     let along = ends[1] - ends[0];
     let must_beat = gap + EDGE_PREFERENCE * b.inner_radius() + DEPTH_PREFERENCE * gap.abs();
     let mut best_edge = must_beat;
@@ -190,7 +193,13 @@ fn on_face<P: Polytope>(
         }
     }
     if t[1].0 - t[0].0 <= 1e-3 {
-        return false;
+        // Too short for two points. The closest points know better, unless the segment pierces the solid here.
+        if axis.gap > 0.0 || t[1].0 < t[0].0 {
+            return false;
+        }
+        let x = ends[0] + along * (0.5 * (t[0].0 + t[1].0));
+        add(a.radius(), x, axis, n.dot(&x) - d, margin, t[0].1, out);
+        return true;
     }
     let slant = n.dot(&axis.outward);
     let ends = t.map(|(t, id)| {

@@ -3,6 +3,7 @@
 
 use super::gjk::Pair;
 use super::*;
+use crate::math::scalar::{double, single};
 use crate::math::tolerance::{DEPTH_PREFERENCE, EDGE_PREFERENCE, EPSILON};
 use crate::math::{Vec3, length, quat_about, vec3};
 use crate::shape::testing::Random;
@@ -10,8 +11,8 @@ use crate::shape::wide;
 
 const KINDS: [NarrowPhaseKind; 2] = [NarrowPhaseKind::Specialised, NarrowPhaseKind::GjkEpa];
 
-/// Room for rounding in shapes of size about 1.
-const TIGHT: Float = 40.0 * EPSILON;
+/// Room for rounding in shapes of size about 1, and for the progress that GJK leaves in double.
+const TIGHT: Float = 40.0 * EPSILON + 1e-12;
 
 fn run(a: &Shape, b: &Shape, pose: &Pose, margin: Float, kind: NarrowPhaseKind) -> Manifold {
     let mut m = Manifold::default();
@@ -23,7 +24,8 @@ fn run(a: &Shape, b: &Shape, pose: &Pose, margin: Float, kind: NarrowPhaseKind) 
 fn gap_along(a: &Shape, b: &Shape, pose: &Pose, n: Vec3) -> Float {
     let (ca, cb) = (a.core().unwrap(), b.core().unwrap());
     let n = wide(n) / wide(n).norm();
-    (Pair::new(ca.points, cb.points, pose).gap_along(n) - (ca.radius + cb.radius) as f64) as Float
+    let pair = Pair::new(ca.points, cb.points, pose);
+    single(pair.gap_along(n) - double(ca.radius + cb.radius))
 }
 
 /// A pair of bounded shapes with a gap of about −0.5 … 0.3 along a random direction.
@@ -46,7 +48,7 @@ fn check_points(a: &Shape, b: &Shape, pose: &Pose, m: &Manifold, margin: Float) 
     for p in m.points() {
         assert!(p.separation <= margin);
         assert!(
-            p.separation >= gap - TIGHT,
+            p.separation >= gap - 5e-6,
             "{} below the gap {gap} {m:?} {a:?} {b:?} {pose:?}",
             p.separation
         );
@@ -62,7 +64,7 @@ fn check_points(a: &Shape, b: &Shape, pose: &Pose, m: &Manifold, margin: Float) 
     let mut ids: Vec<_> = m.points().iter().map(|p| p.feature).collect();
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), m.count, "feature numbers are unique");
+    assert_eq!(ids.len(), m.count, "feature numbers are unique: {m:?} {a:?} {b:?} {pose:?}");
 }
 
 fn each_pair(seed: u64, rounds: usize, mut f: impl FnMut(&Shape, &Shape, &Pose, &mut Random)) {
@@ -108,6 +110,7 @@ fn distances_are_certified_by_a_plane() {
 
 #[test]
 fn manifolds_keep_their_promises() {
+    let mut short = 0;
     each_pair(22, 2000, |a, b, pose, random| {
         let margin = if random.below(2) == 0 { 0.0 } else { 0.05 };
         let inner = a.inner_radius().min(b.inner_radius());
@@ -128,14 +131,17 @@ fn manifolds_keep_their_promises() {
                     assert!(other <= gap + slack, "{kind:?} {a:?} {b:?} {pose:?}: {gap}, but {other}");
                 }
             }
-            // The deepest place is in the manifold.
+            // The deepest place is in the manifold, all but always.
             let least = m.points().iter().map(|p| p.separation).fold(Float::MAX, Float::min);
+            short += usize::from(least > gap + 0.02 * gap.abs() + 1e-3);
             assert!(
-                least <= gap + 0.02 * gap.abs() + 0.2,
+                least <= gap + 0.2 * gap.abs() + 0.05,
                 "{kind:?} {a:?} {b:?} {pose:?}: {least} against {gap}"
             );
         }
     });
+    // Of 64 000: where the deepest corner lies beside the reference face.
+    assert!(short <= 40, "{short}");
 }
 
 #[test]
@@ -400,4 +406,116 @@ fn casts_arrive_where_the_shapes_touch() {
         }
     });
     assert!(hits > 1500, "{hits}");
+}
+
+/// Distance by certificate for shapes of any size and thinness: the plane must part them by as much as the witnesses
+/// are apart, relative to the size of the pair.
+#[test]
+fn distances_survive_needles_plates_and_giants() {
+    let mut random = Random(32);
+    let (mut worst, mut off) = ((0.0 as Float, 0), 0);
+    let mut ended = [0; 6];
+    for round in 0..60_000 {
+        let size = |random: &mut Random| [1e-3, 0.1, 1.0, 1.0, 10.0, 1e4][random.below(6)];
+        let thin = |random: &mut Random| {
+            let k = [1.0, 1.0, 1e-2, 1e-4][random.below(4)];
+            vec3(
+                random.within(0.5, 1.0),
+                random.within(0.5, 1.0) * if random.below(2) == 0 { k } else { 1.0 },
+                random.within(0.5, 1.0) * k,
+            )
+        };
+        let make = |random: &mut Random| {
+            let scale = size(random);
+            let half = thin(random) * scale;
+            let half = half.map(|x| x.max(1e-4 * scale).max(2e-5));
+            match random.below(3) {
+                0 => Shape::new_capsule(half.x * 2.0, half.z),
+                1 => Shape::new_box(half.x, half.y, half.z),
+                _ => {
+                    let n = 4 + random.below(60);
+                    let cloud = random.cloud(n, half);
+                    Shape::hull(&cloud).unwrap_or_else(|_| Shape::new_box(half.x, half.y, half.z))
+                }
+            }
+        };
+        let (a, b) = (make(&mut random), make(&mut random));
+        let mut pose = Pose::new(
+            Vec3::zeros(),
+            if round % 3 == 0 { quat_about(Vec3::y(), random.within(0.0, 1e-6)) } else { random.rotation() },
+        );
+        let n = if round % 3 == 0 { Vec3::y() } else { random.unit() };
+        let scale = a.outer_radius(Vec3::zeros()).max(b.outer_radius(Vec3::zeros()));
+        let want = [0.0, 1e-7, -1e-7, 1e-4, -1e-4, 0.3][random.below(6)] * scale;
+        pose.p = n * (want - gap_along(&a, &b, &pose, n));
+        let d = distance(&a, &b, &pose);
+        ended[d.status as usize] += 1;
+        if d.distance > 0.0 {
+            let apart = (length(d.point_b - d.point_a) - d.distance).abs();
+            let proven = (gap_along(&a, &b, &pose, d.normal) - d.distance).abs();
+            // The normal is stored in Float: turning it by an ulp moves the supports by an ulp of the size.
+            let error = apart.max(proven) / scale;
+            off += usize::from(error > 40.0 * EPSILON + 1e-7);
+            if error > worst.0 {
+                worst = (error, round);
+            }
+        }
+        for kind in KINDS {
+            let m = run(&a, &b, &pose, 0.01 * scale, kind);
+            if m.count > 0 {
+                assert!((length(m.normal) - 1.0).abs() < 1e-5, "{kind:?} {a:?} {b:?} {pose:?} {m:?}");
+                assert!(
+                    m.points()
+                        .iter()
+                        .all(|p| crate::math::is_finite(p.point) && p.separation <= 0.01 * scale)
+                );
+            }
+            assert!(
+                m.count > 0 || d.distance > 0.0099 * scale,
+                "{kind:?} {pose:?} {d:?} {round} {} {} {a:?} {b:?}",
+                a.inner_radius(),
+                b.inner_radius()
+            );
+        }
+    }
+    // A sliver of 0.1 mm a hair above a face of 4 km may stall on a normal with four digits.
+    assert!(off <= 5 && worst.0 < 2e-4, "{off} off, worst {worst:?} {ended:?}");
+    assert_eq!(ended[DistanceStatus::IterationLimit as usize], 0, "{ended:?}");
+}
+
+#[test]
+fn a_small_box_rests_on_a_huge_one() {
+    let ground = Shape::new_box(2000.0, 2.0, 2000.0);
+    let small = Shape::new_box(0.01, 0.01, 0.01);
+    let mut random = Random(33);
+    for _ in 0..500 {
+        let pose = Pose::new(
+            vec3(random.within(-900.0, 900.0), 1.005, random.within(-900.0, 900.0)),
+            quat_about(Vec3::y(), random.within(0.0, 6.0)),
+        );
+        for kind in KINDS {
+            let m = run(&ground, &small, &pose, 1e-3, kind);
+            assert_eq!(m.count, 4, "{kind:?} {pose:?} {m:?}");
+            assert!(length(m.normal - Vec3::y()) < 1e-6);
+            assert!(m.points().iter().all(|p| p.separation.abs() < 4.0 * EPSILON));
+        }
+    }
+}
+
+#[test]
+fn proxies_agree_with_shapes() {
+    let mut random = Random(34);
+    for _ in 0..500 {
+        let (ca, cb) = (random.cloud(12, vec3(1.0, 0.5, 0.7)), random.cloud(9, vec3(0.4, 1.0, 0.4)));
+        let (a, b) = (Shape::hull(&ca).unwrap(), Shape::hull(&cb).unwrap());
+        let pose = random.pose(2.0);
+        let (pa, pb) = (Proxy::new(&ca, 0.0).unwrap(), Proxy::new(&cb, 0.1).unwrap());
+        let (d, e) = (distance(&a, &b, &pose).distance, distance_proxy(&pa, &pb, &pose).distance);
+        assert!(((d - 0.1).max(0.0) - e).abs() < TIGHT, "{d} {e}");
+        let way = -pose.p;
+        let hit = shape_cast_proxy(&pa, &Proxy::new(&cb, 0.0).unwrap(), &pose, way, 1.0);
+        assert_eq!(hit.is_some(), shape_cast(&a, &b, &pose, way, 1.0).is_some());
+    }
+    assert!(Proxy::new(&[], 0.0).is_err() && Proxy::new(&[Vec3::zeros(); 65], 0.0).is_err());
+    assert!(Proxy::new(&[Vec3::zeros()], -1.0).is_err());
 }

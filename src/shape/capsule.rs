@@ -1,6 +1,6 @@
 use super::{MassData, RayHit, check_size, degenerate, ray};
 use crate::error::{Result, check};
-use crate::math::scalar::PI;
+use crate::math::scalar::{PI, double};
 use crate::math::tolerance::MIN_SIZE;
 use crate::math::{Aabb, Float, Mat3, Pose, Vec3, length, length_squared, max, min, vec3};
 
@@ -113,7 +113,7 @@ impl Capsule {
         if self.contains(origin) {
             return Some(RayHit::inside(origin));
         }
-        let (o, d, r) = (ray::wide(origin - self.center1), ray::wide(translation), f64::from(self.radius));
+        let (o, d, r) = (ray::wide(origin - self.center1), ray::wide(translation), double(self.radius));
         let axis = ray::wide(self.center2 - self.center1);
         let l2 = axis.dot(&axis);
         let (flat_o, flat_d) = (o - axis * (o.dot(&axis) / l2), d - axis * (d.dot(&axis) / l2));

@@ -41,7 +41,10 @@ impl CorePoints<'_> {
                 usize::from(d.x >= 0.0) | usize::from(d.y >= 0.0) << 1 | usize::from(d.z >= 0.0) << 2
             }
             Self::Cloud(points) => first_greatest(points.len(), |i| wide(points[i]).dot(d)),
-            Self::Hull(h) => h.support_by(narrow(*d), |i| wide(h.vertices()[i]).dot(d)),
+            // Scaled so that the direction stays a number in f32.
+            Self::Hull(h) => {
+                h.support_by(|| narrow(d / d.amax().max(f64::MIN_POSITIVE)), |i| wide(h.vertices()[i]).dot(d))
+            }
         }
     }
 

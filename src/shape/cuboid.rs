@@ -1,5 +1,6 @@
 use super::{CorePoints, Edge, MassData, Polytope, RayHit, check_size, ray};
 use crate::error::Result;
+use crate::math::scalar::double;
 use crate::math::{Aabb, Float, Mat3, Pose, Vec3, abs, length, max, min, rotation_matrix, vec3};
 
 /// A box, centred on the shape's frame with its axes along the frame's.
@@ -61,21 +62,22 @@ impl Cuboid {
         if self.contains(origin) {
             return Some(RayHit::inside(origin));
         }
-        let mut t = (-1.0, f64::from(max_fraction));
+        let mut t = (0.0, double(max_fraction));
         let mut normal = Vec3::zeros();
         for k in 0..3 {
             for side in [-1.0, 1.0] {
-                let distance = f64::from(side * origin[k]) - f64::from(self.half[k]);
-                if ray::clip(&mut t, distance, f64::from(side * translation[k])) {
+                let distance = double(side * origin[k]) - double(self.half[k]);
+                if ray::clip(&mut t, distance, double(side * translation[k])) {
                     normal = Vec3::zeros();
                     normal[k] = side;
                 }
             }
         }
-        if t.0 > t.1 {
+        // An interval that ends before 0 lies behind the ray.
+        if t.0.max(0.0) > t.1 {
             return None;
         }
-        RayHit::at(origin, translation, t.0.max(0.0), max_fraction, |_| normal)
+        RayHit::at(origin, translation, t.0, max_fraction, |_| normal)
     }
 }
 
@@ -83,8 +85,27 @@ impl Cuboid {
 // Edge 4k + j runs along axis k, from − to +; the bits of j are the signs of the other two axes, lower axis first.
 
 /// The vertices of each face, counter-clockwise from outside.
-const LOOPS: [[u8; 4]; 6] =
+pub(crate) const LOOPS: [[u8; 4]; 6] =
     [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
+
+/// The side of face `f` along edge `i` of its loop: the axis it looks along, and whether towards +.
+pub(crate) const SIDES: [[(u8, bool); 4]; 6] = {
+    let mut sides = [[(0, false); 4]; 6];
+    let mut f = 0;
+    while f < 6 {
+        let mut i = 0;
+        while i < 4 {
+            let (v, w) = (LOOPS[f][i], LOOPS[f][(i + 1) % 4]);
+            // The three axes are the face's, the edge's and the side's.
+            let along = (v ^ w).trailing_zeros() as usize;
+            let axis = 3 - f / 2 - along;
+            sides[f][i] = (axis as u8, v >> axis & 1 == 1);
+            i += 1;
+        }
+        f += 1;
+    }
+    sides
+};
 
 /// The edge between the two vertices.
 const fn edge_between(v: u8, w: u8) -> u16 {
@@ -97,7 +118,7 @@ const fn edge_between(v: u8, w: u8) -> u16 {
 }
 
 /// The edge that leaves each vertex of each face's loop.
-const LOOP_EDGES: [[u16; 4]; 6] = {
+pub(crate) const LOOP_EDGES: [[u16; 4]; 6] = {
     let mut edges = [[0; 4]; 6];
     let mut f = 0;
     while f < 6 {
@@ -130,6 +151,8 @@ const EDGES: [Edge; 12] = {
 };
 
 impl Polytope for Cuboid {
+    const IMPLICIT: bool = true;
+
     #[inline(always)]
     fn vertex_count(&self) -> usize {
         8

@@ -1,5 +1,6 @@
 use super::{MassData, RayHit, degenerate, ray};
 use crate::error::{Error, ErrorCode, Result, check};
+use crate::math::scalar::double;
 use crate::math::tolerance::MAX_COORDINATE;
 use crate::math::{Aabb, Float, Pose, Vec3, length, vec3};
 
@@ -100,7 +101,7 @@ impl HalfSpace {
             return Some(RayHit::inside(origin));
         }
         let n = ray::wide(self.normal);
-        let height = n.dot(&ray::wide(origin)) - f64::from(self.offset);
+        let height = n.dot(&ray::wide(origin)) - double(self.offset);
         let fall = -n.dot(&ray::wide(translation));
         if fall <= 0.0 {
             return None;

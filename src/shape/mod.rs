@@ -13,7 +13,7 @@
 
 mod capsule;
 mod core;
-mod cuboid;
+pub(crate) mod cuboid;
 mod half_space;
 mod hull;
 mod mass;
@@ -22,6 +22,8 @@ mod ray;
 mod sphere;
 #[cfg(test)]
 pub(crate) mod testing;
+#[cfg(test)]
+mod tests;
 
 use crate::error::{Error, Result};
 use crate::math::{Aabb, Float, Pose, Vec3};

@@ -12,6 +12,15 @@ pub struct Edge {
     pub f: [u16; 2],
 }
 
+/// An edge with what a separating-axis test needs of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct EdgeRay {
+    pub start: Vec3,
+    pub along: Vec3,
+    /// The normals of the faces beside it, as in [`Edge::f`].
+    pub normals: [Vec3; 2],
+}
+
 /// A convex solid with flat faces, in its own frame.
 pub(crate) trait Polytope {
     fn vertex_count(&self) -> usize;
@@ -25,6 +34,14 @@ pub(crate) trait Polytope {
     fn face_edges(&self, face: usize) -> &[u16];
     fn edge_count(&self) -> usize;
     fn edge(&self, i: usize) -> Edge;
+    fn edge_ray(&self, i: usize) -> EdgeRay {
+        let Edge { v, f } = self.edge(i);
+        let start = self.vertex(v[0] as usize);
+        let along = self.vertex(v[1] as usize) - start;
+        EdgeRay { start, along, normals: f.map(|f| self.plane(f as usize).0) }
+    }
+    /// Whether vertices and faces are computed on demand rather than read from tables.
+    const IMPLICIT: bool;
     /// The vertex farthest along `d` (any length).
     fn support(&self, d: Vec3) -> usize;
     /// The face whose normal is closest to `d`.

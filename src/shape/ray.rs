@@ -1,6 +1,7 @@
 //! Rays against solids. The few numbers of a ray are computed in double in both builds: seen from far away,
 //! a radius or a thin slab would drown in the rounding of f32.
 
+use crate::math::scalar::{double, single};
 use crate::math::{Float, Vec3, normalize_or};
 
 /// Where a ray or a moving shape meets a surface.
@@ -28,12 +29,12 @@ impl RayHit {
         max_fraction: Float,
         normal: impl FnOnce(Vec3) -> Vec3,
     ) -> Option<Self> {
-        if t < 0.0 || t > f64::from(max_fraction) {
+        if t < 0.0 || t > double(max_fraction) {
             return None;
         }
         let point = narrow(wide(origin) + wide(translation) * t);
         Some(Self {
-            fraction: t as Float,
+            fraction: single(t),
             point,
             normal: normalize_or(normal(point), -normalize_or(translation, Vec3::y())),
         })
@@ -45,16 +46,14 @@ pub(crate) type Wide = nalgebra::Vector3<f64>;
 
 /// To double.
 #[inline(always)]
-#[cfg_attr(feature = "f64", allow(clippy::useless_conversion))]
 pub(crate) fn wide(v: Vec3) -> Wide {
-    Wide::new(f64::from(v.x), f64::from(v.y), f64::from(v.z))
+    Wide::new(double(v.x), double(v.y), double(v.z))
 }
 
 /// Back to [`Float`].
 #[inline(always)]
-#[cfg_attr(feature = "f64", allow(clippy::unnecessary_cast))]
 pub(crate) fn narrow(v: Wide) -> Vec3 {
-    Vec3::new(v.x as Float, v.y as Float, v.z as Float)
+    Vec3::new(single(v.x), single(v.y), single(v.z))
 }
 
 /// The fraction at which the ray `o + t d` enters the ball of radius `r` about the origin, from outside. The
@@ -76,14 +75,14 @@ pub(super) fn enter_ball(o: Wide, d: Wide, r: f64) -> Option<f64> {
 pub(super) fn clip(t: &mut (f64, f64), distance: f64, rate: f64) -> bool {
     if rate < 0.0 {
         let enter = -distance / rate;
-        if enter > t.0 {
+        if enter >= t.0 {
             t.0 = enter;
             return true;
         }
     } else if rate > 0.0 {
         t.1 = t.1.min(-distance / rate);
     } else if distance > 0.0 {
-        t.1 = -1.0;
+        t.1 = -1.0; // Beside the slab for ever.
     }
     false
 }

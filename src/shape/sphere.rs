@@ -1,6 +1,6 @@
 use super::{MassData, RayHit, check_size, ray};
 use crate::error::{Result, check};
-use crate::math::scalar::PI;
+use crate::math::scalar::{PI, double};
 use crate::math::{Aabb, Float, Mat3, Pose, Vec3, length, length_squared, vec3};
 
 /// A ball.
@@ -74,7 +74,7 @@ impl Sphere {
             return Some(RayHit::inside(origin));
         }
         let t =
-            ray::enter_ball(ray::wide(origin - self.center), ray::wide(translation), f64::from(self.radius))?;
+            ray::enter_ball(ray::wide(origin - self.center), ray::wide(translation), double(self.radius))?;
         RayHit::at(origin, translation, t, max_fraction, |p| p - self.center)
     }
 }

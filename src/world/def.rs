@@ -45,9 +45,9 @@ pub struct WorldDef {
     pub restitution_threshold: Float,
     /// Approach speeds above this make hit events \[m/s\]; default 1.
     pub hit_event_threshold: Float,
-    /// Contact stiffness as a share of the sub-step rate; default 0.125 (0.25 against static bodies). (0, 0.5]
+    /// Contact stiffness as a share of the sub-step rate; default 0.21 (twice that against static bodies). (0, 0.5]
     pub contact_stiffness: Float,
-    /// Damping ratio of the contacts' overlap recovery; default 10, > 0.
+    /// Damping ratio of the contacts' overlap recovery; default 0.5, > 0.
     pub contact_damping_ratio: Float,
     /// Greatest speed at which overlap is pushed out \[m/s\]; default 3.
     pub contact_speed: Float,
@@ -81,8 +81,8 @@ impl Default for WorldDef {
             gravity: vec3(0.0, -10.0, 0.0),
             restitution_threshold: 0.1,
             hit_event_threshold: 1.0,
-            contact_stiffness: 0.125,
-            contact_damping_ratio: 10.0,
+            contact_stiffness: 0.21,
+            contact_damping_ratio: 0.5,
             contact_speed: 3.0,
             maximum_linear_speed: Float::INFINITY,
             enable_sleep: true,

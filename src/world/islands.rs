@@ -203,13 +203,6 @@ impl World {
             })
         })
     }
-
-    /// The fastest a body's points move \[m/s\], as sleeping measures it.
-    #[must_use]
-    pub(crate) fn restlessness(&self, body: usize) -> Float {
-        let (set, row) = self.bodies.at(body);
-        length(set.velocity(row)).max(length(set.angular_velocity(row)) * set.mass[row].extent)
-    }
 }
 
 /// The one or two bodies of a pair that constraints can move.

@@ -5,6 +5,7 @@ mod collider;
 mod def;
 mod id;
 mod islands;
+mod query;
 mod report;
 mod step;
 mod view;
@@ -14,6 +15,7 @@ pub use def::{
     BodyDef, BodyType, Filter, MotionLocks, QueryFilter, ShapeDef, SurfaceMaterial, WorldDef,
 };
 pub use id::{BodyId, ContactId, IdPool, Identity, ShapeId};
+pub use query::ShapeHit;
 pub use report::{Counters, Profile, StepReport};
 pub use view::{BodyMut, BodyRef, ColliderMut, ColliderRef, ContactData};
 

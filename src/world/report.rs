@@ -1,10 +1,9 @@
 //! What can be measured of a world: report, profile, counters, hash.
 
 use super::World;
-use crate::body::{NONE, SetId};
+use crate::body::SetId;
 use crate::constraint::contact::flags;
 use crate::math::{Float, Quat, Vec3};
-use crate::narrow_phase::{self, Manifold};
 
 /// Milliseconds of the last step, by stage. Differs from run to run and is no part of the state.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -215,27 +214,6 @@ impl World {
         (0..pool.slots()).filter(|&i| pool.is_live(i, pool.generation(i)))
     }
 
-    /// The current manifold of a contact, recomputed from the present poses.
-    #[must_use]
-    pub(crate) fn manifold_now(&self, a: usize, b: usize) -> Manifold {
-        let pose = |i: usize| {
-            let c = &self.colliders[i];
-            let (set, row) = self.bodies.at(c.body as usize);
-            set.origin(row).then(&c.local)
-        };
-        let mut manifold = Manifold::default();
-        narrow_phase::collide(
-            &self.colliders[a].shape,
-            &self.colliders[b].shape,
-            &pose(a).back_to(&pose(b)),
-            0.0,
-            self.def.narrow_phase,
-            &mut Default::default(),
-            &mut manifold,
-        );
-        manifold
-    }
-
     /// A hash of the state of all bodies in order of their slots (poses, momenta, whether they sleep) and of the
     /// impulses of all contacts. Equal states have equal hashes, on every platform, at every width.
     #[must_use]
@@ -265,7 +243,6 @@ impl World {
             hash.scalar(contact.twist_impulse);
             hash.vec(contact.rolling_impulse);
         }
-        debug_assert!(NONE == u32::MAX);
         hash.0
     }
 }

@@ -31,7 +31,7 @@ impl World {
         self.build_islands();
         self.profile.build_islands = clock.lap();
         if dt > 0.0 {
-            soft_step::prepare(&mut self.work, &self.bodies, &self.contacts, &mut self.islands, &settings);
+            soft_step::prepare(&mut self.work, &self.bodies, &mut self.contacts, &mut self.islands, &settings);
             self.profile.prepare = clock.lap();
             soft_step::solve(&mut self.work, &self.bodies, &mut self.contacts, &settings);
             self.profile.solve = clock.lap();
@@ -88,6 +88,7 @@ impl World {
             self.quarantine(body as usize);
         }
         self.scratch.broken = broken;
+        self.keep_boxes_around_shapes();
     }
 
     /// Stage 11.

@@ -6,7 +6,7 @@ use super::{
 use crate::body::{NONE, SetId};
 use crate::constraint::contact::flags;
 use crate::error::{Error, ErrorCode, Result, check};
-use crate::math::{Aabb, Float, Mat3, Pose, Quat, Vec3, rotate, rotate_back};
+use crate::math::{Aabb, Float, Mat3, Pose, Quat, Vec3};
 use crate::shape::{MassData, Shape};
 
 /// A body, to be read.
@@ -242,7 +242,7 @@ impl<'w> BodyRef<'w> {
         (set.drive[row].force, set.drive[row].torque)
     }
     /// Its shapes, in order of attachment.
-    pub fn shapes(&self) -> impl ExactSizeIterator<Item = ShapeId> + 'w {
+    pub fn shapes(&self) -> impl ExactSizeIterator<Item = ShapeId> + use<'w> {
         let world = self.world;
         self.body().shapes.iter().map(move |&s| world.shape_id(s as usize))
     }
@@ -913,15 +913,6 @@ impl<'w> ColliderRef<'w> {
     pub fn closest_point(&self, target: Vec3) -> Vec3 {
         let pose = self.world_pose();
         pose.point(self.collider().shape.closest_point(pose.point_back(target)))
-    }
-    /// Casts a ray of the world at this shape alone; the hit is in world coordinates.
-    #[must_use]
-    pub fn ray_cast(&self, origin: Vec3, translation: Vec3, max_fraction: Float) -> Option<crate::shape::RayHit> {
-        let pose = self.world_pose();
-        let (o, d) = (rotate_back(&pose.q, origin - pose.p), rotate_back(&pose.q, translation));
-        let mut hit = self.collider().shape.ray_cast(o, d, max_fraction)?;
-        (hit.point, hit.normal) = (pose.point(hit.point), rotate(&pose.q, hit.normal));
-        Some(hit)
     }
     /// An upper bound for the number of its touching contacts.
     #[must_use]

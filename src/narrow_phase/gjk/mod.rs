@@ -7,9 +7,11 @@
 
 mod simplex;
 
+use crate::math::scalar::double;
 use crate::math::tolerance::{GJK_PROGRESS, GJK_TOUCH};
 use crate::math::{Float, Pose};
 use crate::shape::{CorePoints, Wide, wide};
+use simplex::largest;
 pub(super) use simplex::{Simplex, Vertex};
 
 /// More iterations than any pair of shapes needs (the worst seen in fuzzing is below 40).
@@ -56,7 +58,8 @@ pub(super) struct Closest {
 
 impl<'a> Pair<'a> {
     pub fn new(a: CorePoints<'a>, b: CorePoints<'a>, pose: &Pose) -> Self {
-        let q = nalgebra::Quaternion::new(pose.q.w as f64, pose.q.i as f64, pose.q.j as f64, pose.q.k as f64);
+        let q =
+            nalgebra::Quaternion::new(double(pose.q.w), double(pose.q.i), double(pose.q.j), double(pose.q.k));
         let l2: f64 = q.w * q.w + q.i * q.i + q.j * q.j + q.k * q.k;
         let (s, x, y, z, w) = (2.0 / l2, q.i, q.j, q.k, q.w);
         let rotation = nalgebra::Matrix3::new(
@@ -81,13 +84,21 @@ impl<'a> Pair<'a> {
     /// The vertex of the difference A − B farthest along `d`, which need not have length 1.
     #[inline]
     pub fn support(&self, d: Wide) -> Vertex {
-        // Scaled so that it stays a number in f32.
-        let d = d / d.amax().max(f64::MIN_POSITIVE);
         let ia = self.a.support(&d);
         let ib = self.b.support(&-self.rotation.tr_mul(&d));
-        let a = wide(self.a.point(ia));
-        let b = self.rotation * wide(self.b.point(ib)) + self.position;
-        Vertex { a, b, w: a - b, id: (ia as u16, ib as u16) }
+        let w = wide(self.a.point(ia)) - (self.rotation * wide(self.b.point(ib)) + self.position);
+        Vertex { w, id: (ia as u16, ib as u16) }
+    }
+
+    /// The points of A and of B that mix with these weights, in the frame of A.
+    pub fn witnesses<'v>(&self, mix: impl IntoIterator<Item = (&'v Vertex, f64)>) -> (Wide, Wide) {
+        let mut sum = (Wide::zeros(), Wide::zeros(), 0.0);
+        for (v, k) in mix {
+            sum.0 += wide(self.a.point(v.id.0 as usize)) * k;
+            sum.1 += wide(self.b.point(v.id.1 as usize)) * k;
+            sum.2 += k;
+        }
+        (sum.0, self.rotation * sum.1 + self.position * sum.2)
     }
 
     /// The gap between the cores along the unit normal `n`, from A to B; negative where they overlap.
@@ -103,7 +114,7 @@ impl<'a> Pair<'a> {
 
     /// The distance of the cores; gives up with `Beyond` once it is known to be more than `limit`.
     pub fn distance(&self, limit: Float) -> Closest {
-        let limit = limit as f64;
+        let limit = double(limit);
         let mut simplex = Simplex::default();
         let mut v = self.start();
         simplex.push(self.support(-v));
@@ -118,7 +129,7 @@ impl<'a> Pair<'a> {
                 break;
             }
             let w = self.support(-v);
-            scale = scale.max(w.w.amax());
+            scale = scale.max(largest(&w.w));
             let vw = v.dot(&w.w);
             let length = vv.sqrt();
             if vw > limit * length {
@@ -148,9 +159,9 @@ impl<'a> Pair<'a> {
             }
             v = next;
         }
-        let (a, b) = simplex.witnesses();
+        let (a, b) = self.witnesses(simplex.vertices().iter().zip(simplex.weights().iter().copied()));
         let distance = if status == Status::Overlapping { 0.0 } else { v.dot(&v).sqrt() };
-        let normal = if distance > 0.0 { -v / distance } else { Wide::zeros() };
+        let normal = if distance > 0.0 { -simplex.direction(v) } else { Wide::zeros() };
         Closest { status, iterations, distance, a, b, normal, simplex }
     }
 }

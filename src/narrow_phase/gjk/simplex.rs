@@ -4,11 +4,9 @@
 
 use crate::shape::Wide;
 
-/// A vertex of the difference A − B: w = a − b.
+/// A vertex of the difference A − B, and the points of A and B that make it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::narrow_phase) struct Vertex {
-    pub a: Wide,
-    pub b: Wide,
     pub w: Wide,
     pub id: (u16, u16),
 }
@@ -40,33 +38,45 @@ impl Simplex {
     }
 
     /// The largest coordinate.
+    #[inline]
     pub fn scale(&self) -> f64 {
-        self.vertices().iter().map(|v| v.w.amax()).fold(0.0, f64::max)
+        self.vertices().iter().fold(0.0, |s, v| largest(&v.w).max(s))
     }
 
-    /// The closest points of A and B.
-    pub fn witnesses(&self) -> (Wide, Wide) {
-        let mut sum = (Wide::zeros(), Wide::zeros());
-        for (v, &k) in self.vertices().iter().zip(&self.weight) {
-            sum.0 += v.a * k;
-            sum.1 += v.b * k;
+    /// The unit vector along `v`, the point closest to the origin. Where that lies in a triangle, the normal of the
+    /// triangle has more digits than a short `v`, unless the triangle is narrower still.
+    pub fn direction(&self, v: Wide) -> Wide {
+        let vv = v.dot(&v);
+        if self.len == 3 {
+            let (a, b, c) = (self.v[0].w, self.v[1].w, self.v[2].w);
+            let n = (b - a).cross(&(c - a));
+            let nn = n.dot(&n);
+            let longest = (b - a).norm_squared().max((c - a).norm_squared()).max((c - b).norm_squared());
+            if nn > vv * longest {
+                let n = n / nn.sqrt();
+                return if n.dot(&v) < 0.0 { -n } else { n };
+            }
         }
-        sum
+        v / vv.sqrt()
+    }
+
+    /// The weights of the point closest to the origin.
+    pub fn weights(&self) -> &[f64] {
+        &self.weight[..self.len]
     }
 
     /// Keeps the vertices that carry the point closest to the origin and returns that point. All four stay only
     /// where the origin lies inside.
     pub fn reduce(&mut self) -> Wide {
-        let all = [0, 1, 2, 3];
         self.weight = match self.len {
             1 => [1.0, 0.0, 0.0, 0.0],
             2 => self.segment([0, 1]),
             3 => self.triangle([0, 1, 2]),
-            _ => self.tetrahedron(all),
+            _ => self.tetrahedron(),
         };
         let mut kept = 0;
-        for i in all {
-            if i < self.len && self.weight[i] > 0.0 {
+        for i in 0..self.len {
+            if self.weight[i] > 0.0 {
                 (self.v[kept], self.weight[kept]) = (self.v[i], self.weight[i]);
                 kept += 1;
             }
@@ -76,17 +86,14 @@ impl Simplex {
         self.point(&self.weight)
     }
 
-    fn point(&self, weight: &[f64; 4]) -> Wide {
-        let mut p = Wide::zeros();
-        for (v, &k) in self.v.iter().zip(weight) {
-            if k != 0.0 {
-                p += v.w * k;
-            }
-        }
-        p
+    #[inline]
+    fn point(&self, weight: &Weights) -> Wide {
+        let v = &self.v;
+        v[0].w * weight[0] + v[1].w * weight[1] + v[2].w * weight[2] + v[3].w * weight[3]
     }
 
-    fn segment(&self, [i, j]: [usize; 2]) -> [f64; 4] {
+    #[inline]
+    fn segment(&self, [i, j]: [usize; 2]) -> Weights {
         let (p, q) = (self.v[i].w, self.v[j].w);
         let d = q - p;
         let dd = d.dot(&d);
@@ -96,66 +103,101 @@ impl Simplex {
         weight
     }
 
-    fn triangle(&self, [i, j, k]: [usize; 3]) -> [f64; 4] {
+    #[inline]
+    fn triangle(&self, [i, j, k]: [usize; 3]) -> Weights {
         let (a, b, c) = (self.v[i].w, self.v[j].w, self.v[k].w);
         let n = (b - a).cross(&(c - a));
         let nn = n.dot(&n);
+        // Which corners have no part in the closest point: all may, where the triangle has no area.
+        let mut outside = [true; 3];
         if nn > 0.0 {
             let o = n * (a.dot(&n) / nn);
             // Drop the coordinate along which the triangle is seen best.
-            let x = n.iamax();
-            let (y, z) = ((x + 1) % 3, (x + 2) % 3);
-            let area = |p: &Wide, q: &Wide| (p[y] - o[y]) * (q[z] - o[z]) - (p[z] - o[z]) * (q[y] - o[y]);
-            let part = [area(&b, &c), area(&c, &a), area(&a, &b)];
-            let whole = n[x];
-            let outside = part.map(|p| p * whole <= 0.0);
+            let (whole, area_bc, area_ca, area_ab) = match (n.x.abs(), n.y.abs(), n.z.abs()) {
+                (x, y, z) if x >= y && x >= z => {
+                    (n.x, minor(&b, &c, &o, 1, 2), minor(&c, &a, &o, 1, 2), minor(&a, &b, &o, 1, 2))
+                }
+                (_, y, z) if y >= z => {
+                    (n.y, minor(&b, &c, &o, 2, 0), minor(&c, &a, &o, 2, 0), minor(&a, &b, &o, 2, 0))
+                }
+                _ => (n.z, minor(&b, &c, &o, 0, 1), minor(&c, &a, &o, 0, 1), minor(&a, &b, &o, 0, 1)),
+            };
+            outside = [area_bc * whole <= 0.0, area_ca * whole <= 0.0, area_ab * whole <= 0.0];
             if outside == [false; 3] {
-                let sum = part[0] + part[1] + part[2];
+                let scale = 1.0 / (area_bc + area_ca + area_ab);
                 let mut weight = [0.0; 4];
-                (weight[i], weight[j], weight[k]) = (part[0] / sum, part[1] / sum, part[2] / sum);
+                (weight[i], weight[j], weight[k]) = (area_bc * scale, area_ca * scale, area_ab * scale);
                 return weight;
             }
-            return self.closest_of(
-                [(outside[0], [j, k]), (outside[1], [k, i]), (outside[2], [i, j])],
-                Self::segment,
-            );
         }
-        self.closest_of([(true, [j, k]), (true, [k, i]), (true, [i, j])], Self::segment)
+        let mut best = Best::new();
+        for (f, edge) in [[j, k], [k, i], [i, j]].into_iter().enumerate() {
+            if outside[f] {
+                best.offer(self, self.segment(edge));
+            }
+        }
+        best.weight
     }
 
-    fn tetrahedron(&self, [i, j, k, l]: [usize; 4]) -> [f64; 4] {
-        let [a, b, c, d] = self.v.map(|v| v.w);
-        let volume = |p: &Wide, q: &Wide, r: &Wide| p.dot(&q.cross(r));
-        let part = [volume(&b, &d, &c), volume(&a, &c, &d), volume(&a, &d, &b), volume(&a, &b, &c)];
+    fn tetrahedron(&self) -> Weights {
+        let (a, b, c, d) = (self.v[0].w, self.v[1].w, self.v[2].w, self.v[3].w);
+        let (bc, da) = (b.cross(&c), d.cross(&a));
+        let part = [-bc.dot(&d), da.dot(&c), -da.dot(&b), bc.dot(&a)];
         let whole = part[0] + part[1] + part[2] + part[3];
-        let outside = part.map(|p| p * whole <= 0.0);
-        if outside == [false; 4] {
-            return part.map(|p| p / whole);
-        }
-        let faces = [[j, k, l], [i, k, l], [i, j, l], [i, j, k]];
         // A flat tetrahedron tells nothing by its signs.
         let size = self.scale();
         let flat = whole.abs() <= 1e-14 * size * size * size;
-        self.closest_of([0, 1, 2, 3].map(|f| (flat || outside[f], faces[f])), Self::triangle)
-    }
-
-    /// The best of the chosen faces.
-    fn closest_of<const N: usize, F>(
-        &self,
-        faces: [(bool, F); N],
-        solve: impl Fn(&Self, F) -> [f64; 4],
-    ) -> [f64; 4] {
-        let mut best = (f64::INFINITY, [0.0; 4]);
-        for (_, face) in faces.into_iter().filter(|f| f.0) {
-            let weight = solve(self, face);
-            let p = self.point(&weight);
-            let d = p.dot(&p);
-            if d < best.0 {
-                best = (d, weight);
+        let mut best = Best::new();
+        let mut inside = true;
+        for (f, face) in [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]].into_iter().enumerate() {
+            let outside = part[f] * whole <= 0.0;
+            inside &= !outside;
+            if outside || flat {
+                best.offer(self, self.triangle(face));
             }
         }
-        best.1
+        if inside {
+            [part[0] / whole, part[1] / whole, part[2] / whole, part[3] / whole]
+        } else {
+            best.weight
+        }
     }
+}
+
+/// One weight a vertex.
+type Weights = [f64; 4];
+
+/// The best of several faces.
+struct Best {
+    square: f64,
+    weight: Weights,
+}
+
+impl Best {
+    fn new() -> Self {
+        Self { square: f64::INFINITY, weight: [0.0; 4] }
+    }
+
+    #[inline]
+    fn offer(&mut self, simplex: &Simplex, weight: Weights) {
+        let p = simplex.point(&weight);
+        let square = p.dot(&p);
+        if square < self.square {
+            *self = Self { square, weight };
+        }
+    }
+}
+
+/// Twice the signed area of the triangle o p q, seen in the plane of coordinates y and z.
+#[inline(always)]
+fn minor(p: &Wide, q: &Wide, o: &Wide, y: usize, z: usize) -> f64 {
+    (p[y] - o[y]) * (q[z] - o[z]) - (p[z] - o[z]) * (q[y] - o[y])
+}
+
+/// The largest |coordinate|.
+#[inline(always)]
+pub(in crate::narrow_phase) fn largest(v: &Wide) -> f64 {
+    v.x.abs().max(v.y.abs()).max(v.z.abs())
 }
 
 #[cfg(test)]
@@ -177,7 +219,7 @@ mod tests {
             for i in 0..len {
                 let mut w = wide(random.vec(1.0));
                 w.z *= flat;
-                s.push(Vertex { w: w + shift * (round % 2) as f64, id: (i as u16, 0), ..Vertex::default() });
+                s.push(Vertex { w: w + shift * (round % 2) as f64, id: (i as u16, 0) });
             }
             let all = s;
             let p = s.reduce();

@@ -2,9 +2,11 @@
 
 use super::{Hull, HullFace, MAX_HULL_VERTICES, merge, quick};
 use crate::error::{Error, ErrorCode, Result, check};
-use crate::math::tolerance::{EPSILON, HULL_FLATNESS, MIN_SIZE};
+use crate::math::scalar::{double, single};
+use crate::math::tolerance::{HULL_FLATNESS, MIN_SIZE};
 use crate::math::{Float, Mat3, Vec3, vec3};
 use crate::shape::core::first_greatest;
+use crate::shape::polytope::EdgeRay;
 use crate::shape::ray::{Wide, narrow, wide};
 use crate::shape::{Edge, Polytope, degenerate};
 
@@ -73,13 +75,13 @@ impl Cloud {
             upper = upper.sup(&p);
         }
         let (middle, size) = ((lower + upper) * 0.5, (upper - lower).max());
-        let least = 2.0 * f64::from(MIN_SIZE);
+        let least = 2.0 * double(MIN_SIZE);
         if size < least {
             return Err(degenerate(format!("All points of the hull lie within {least:.0e} m of one point.")));
         }
         let scale = 1.0 / size;
         let points: Vec<Wide> = input.iter().map(|p| (wide(*p) - middle) * scale).collect();
-        let flat = HULL_FLATNESS * f64::from(EPSILON) * lower.abs().sup(&upper.abs()).sum() * scale;
+        let flat = HULL_FLATNESS * lower.abs().sup(&upper.abs()).sum() * scale;
         let seed = Self::seed(&points, least * scale, flat)?;
         Ok(Self { points, seed, flat })
     }
@@ -138,8 +140,10 @@ fn tables(input: &[Vec3], loops: &[Vec<u32>]) -> Hull {
         loops: Vec::new(),
         loop_edges: Vec::new(),
         edges: Vec::new(),
+        edge_rays: Vec::new(),
         neighbor_start: Vec::with_capacity(vertices.len() + 1),
         neighbors: Vec::new(),
+        neighbor_edges: Vec::new(),
         vertices,
     };
     for l in loops {
@@ -167,7 +171,7 @@ fn plane(vertices: &[Vec3], vs: &[u8]) -> (Vec3, Float) {
     let middle = (0..vs.len()).fold(Wide::zeros(), |s, i| s + p(i)) / vs.len() as f64;
     let n = (0..vs.len()).fold(Wide::zeros(), |s, i| s + (p(i) - middle).cross(&(p(i + 1) - middle)));
     let normal = narrow(n / n.dot(&n).sqrt());
-    (normal, wide(normal).dot(&middle) as Float)
+    (normal, single(wide(normal).dot(&middle)))
 }
 
 fn fill_edges(hull: &mut Hull) {
@@ -185,13 +189,19 @@ fn fill_edges(hull: &mut Hull) {
             hull.loop_edges[start + i] = e as u16;
         }
     }
+    let rays = hull.edges.iter().map(|e| {
+        let [start, end] = e.v.map(|v| hull.vertices[v as usize]);
+        EdgeRay { start, along: end - start, normals: e.f.map(|f| hull.faces[f as usize].normal) }
+    });
+    hull.edge_rays = rays.collect();
 }
 
 fn fill_neighbors(hull: &mut Hull) {
     for v in 0..hull.vertices.len() as u8 {
         hull.neighbor_start.push(hull.neighbors.len() as u16);
-        for e in &hull.edges {
+        for (i, e) in hull.edges.iter().enumerate() {
             if e.v.contains(&v) {
+                hull.neighbor_edges.push(i as u16);
                 hull.neighbors.push(if e.v[0] == v { e.v[1] } else { e.v[0] });
             }
         }
@@ -221,10 +231,10 @@ fn fill_mass(hull: &mut Hull) {
     let center = first / (4.0 * six_volumes);
     let about_center = second / 120.0 - center * center.transpose() * volume;
     let inertia = nalgebra::Matrix3::identity() * about_center.trace() - about_center;
-    hull.volume = volume as Float;
+    hull.volume = single(volume);
     hull.center = narrow(middle + center);
     let column = |k: usize| -> Vec3 {
-        vec3(inertia[(0, k)] as Float, inertia[(1, k)] as Float, inertia[(2, k)] as Float)
+        vec3(single(inertia[(0, k)]), single(inertia[(1, k)]), single(inertia[(2, k)]))
     };
     hull.unit_inertia = Mat3::from_columns(&[column(0), column(1), column(2)]);
     let least = (0..hull.faces.len())

@@ -10,7 +10,9 @@ mod quick;
 mod tests;
 
 use super::core::first_greatest;
+use super::polytope::EdgeRay;
 use super::{CorePoints, Edge, MassData, Polytope, RayHit, ray};
+use crate::math::scalar::double;
 use crate::math::{Aabb, Float, Mat3, Pose, Vec3, length_squared, max, min, rotation_matrix};
 
 /// The most vertices a hull has: indices are bytes.
@@ -28,9 +30,12 @@ pub struct Hull {
     loops: Vec<u8>,
     loop_edges: Vec<u16>,
     edges: Vec<Edge>,
+    edge_rays: Vec<EdgeRay>,
     /// The neighbours of vertex i: `neighbors[neighbor_start[i]..neighbor_start[i + 1]]`.
     neighbor_start: Vec<u16>,
     neighbors: Vec<u8>,
+    /// The edge to each neighbour.
+    neighbor_edges: Vec<u16>,
     /// The farthest vertices along −x, +x, −y, +y, −z, +z: where climbing starts.
     extremes: [u8; 6],
     center: Vec3,
@@ -164,27 +169,33 @@ impl Hull {
             return Some(RayHit::inside(origin));
         }
         let (o, d) = (ray::wide(origin), ray::wide(translation));
-        let mut t = (-1.0, f64::from(max_fraction));
+        let mut t = (0.0, double(max_fraction));
         let mut normal = Vec3::zeros();
         for f in &self.faces {
             let n = ray::wide(f.normal);
-            if ray::clip(&mut t, n.dot(&o) - f64::from(f.offset), n.dot(&d)) {
+            if ray::clip(&mut t, n.dot(&o) - double(f.offset), n.dot(&d)) {
                 normal = f.normal;
             }
-            if t.0 > t.1 {
+            // An interval that ends before 0 lies behind the ray.
+            if t.0.max(0.0) > t.1 {
                 return None;
             }
         }
-        RayHit::at(origin, translation, t.0.max(0.0), max_fraction, |_| normal)
+        RayHit::at(origin, translation, t.0, max_fraction, |_| normal)
     }
 
-    /// The vertex of greatest `height`, which must be linear in the vertex and grow along about `d`.
+    /// The vertex of greatest `height`, which must be linear in the vertex and grow along about `direction`.
     #[inline]
-    pub(crate) fn support_by<T: PartialOrd>(&self, d: Vec3, height: impl Fn(usize) -> T) -> usize {
+    pub(crate) fn support_by<T: PartialOrd>(
+        &self,
+        direction: impl Fn() -> Vec3,
+        height: impl Fn(usize) -> T,
+    ) -> usize {
         if self.vertices.len() <= SCAN {
             return first_greatest(self.vertices.len(), height);
         }
         // Climb from vertex to better neighbour: on a convex body a local best is the best, up to rounding.
+        let d = direction();
         let a = crate::math::abs(d);
         let k = if a.x >= a.y && a.x >= a.z {
             0
@@ -212,6 +223,13 @@ impl Hull {
 }
 
 impl Polytope for Hull {
+    const IMPLICIT: bool = false;
+
+    #[inline(always)]
+    fn edge_ray(&self, i: usize) -> EdgeRay {
+        self.edge_rays[i]
+    }
+
     #[inline(always)]
     fn vertex_count(&self) -> usize {
         self.vertices.len()
@@ -255,16 +273,25 @@ impl Polytope for Hull {
 
     #[inline]
     fn support(&self, d: Vec3) -> usize {
-        self.support_by(d, |i| self.vertices[i].dot(&d))
+        self.support_by(|| d, |i| self.vertices[i].dot(&d))
     }
 
     #[inline]
     fn face_along(&self, d: Vec3) -> usize {
+        if self.faces.len() <= 2 * SCAN {
+            return first_greatest(self.faces.len(), |i| self.faces[i].normal.dot(&d));
+        }
+        // Of many faces, those around the farthest vertex.
+        let v = self.support(d);
+        let around = self.neighbor_start[v] as usize..self.neighbor_start[v + 1] as usize;
         let mut best = (0, -Float::MAX);
-        for (i, f) in self.faces.iter().enumerate() {
-            let s = f.normal.dot(&d);
-            if s > best.1 {
-                best = (i, s);
+        for &e in &self.neighbor_edges[around] {
+            for f in self.edges[e as usize].f {
+                let s = self.faces[f as usize].normal.dot(&d);
+                // Each face is met twice; ties go to the lower number, whatever the order.
+                if s > best.1 || s == best.1 && (f as usize) < best.0 {
+                    best = (f as usize, s);
+                }
             }
         }
         best.0

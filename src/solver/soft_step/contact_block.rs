@@ -52,8 +52,8 @@ pub struct ContactBlock<L: Lane, const P: usize, F, R> {
     pub normal: V3<L>,
     /// Centre of A minus centre of B, so that r_B = r_A + offset.
     pub offset: V3<L>,
-    /// 1 where A or B cannot be moved, 0 elsewhere.
-    pub stiff: L,
+    /// How soft the contacts are: push-out rate \[1/s\], mass scale, impulse scale.
+    pub soft: [L; 3],
     /// The points; lanes with fewer have massless ones.
     pub points: [Point<L>; P],
     /// Friction.
@@ -477,7 +477,7 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Contac
             // A unit normal, so that empty lanes compute harmless numbers.
             normal: V3::new(zero, zero, L::splat(1.0)),
             offset: V3::zero(),
-            stiff: zero,
+            soft: [zero; 3],
             points: [point; P],
             friction: F::empty(),
             impact: R::empty(),
@@ -522,12 +522,8 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Contac
         let shift = n.dot(xb - xa);
         let (ma, mb) = (turned_back_minus(ua, sa, n), turned_back_minus(ub, sb, n));
 
-        let stiff = self.stiff.gt(zero);
-        let soft = |k: usize| {
-            L::select(stiff, L::splat(sub.soft_on_static[k]), L::splat(sub.soft_between_moving[k]))
-        };
-        let (rate, mass_scale, impulse_scale) =
-            if RELAX { (zero, one, zero) } else { (soft(0), soft(1), soft(2)) };
+        let [rate, mass_scale, impulse_scale] = self.soft;
+        let stiffness = mass_scale * rate;
         let (inv_h, push_out) = (L::splat(sub.inv_h), L::splat(-sub.push_out));
 
         self.friction.solve(n, self.offset, &self.points, &mut a, &mut b, RELAX);
@@ -537,10 +533,10 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Contac
             let s = p.separation + (shift + (rb.dot(mb) - ra.dot(ma)));
             let v = n.dot(b.v - a.v) + (kb.dot(b.w) - ka.dot(a.w));
 
-            let apart = s.gt(zero);
+            let apart = (s * p.mass * stiffness).gt(impulse_scale * p.memory);
             let mut bias = L::select(apart, s * inv_h, if RELAX { zero } else { (rate * s).max(push_out) });
-            let mut scale = L::select(apart, one, mass_scale);
-            let mut leak = L::select(apart, zero, impulse_scale);
+            let mut scale = if RELAX { one } else { L::select(apart, one, mass_scale) };
+            let mut leak = if RELAX { zero } else { L::select(apart, zero, impulse_scale) };
             if let Some((on, target)) = self.impact.target(k, RELAX) {
                 bias = L::select(on, -target, bias);
                 scale = L::select(on, one, scale);

@@ -52,6 +52,9 @@ pub fn find<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>>
     }
 }
 
+/// A target so low that a row never pushes \[m/s\].
+const FREE: Float = 1e12;
+
 /// The mean normal velocity over the sub-step and the one at its end, where an impact falls into it.
 fn reflect(gap: Float, v: Float, accel: Float, restitution: Float, sub: &SubStep) -> Option<(Float, Float)> {
     if v >= 0.0 {
@@ -67,8 +70,12 @@ fn reflect(gap: Float, v: Float, accel: Float, restitution: Float, sub: &SubStep
     let speed = square.sqrt();
     let t = 2.0 * s / (speed - v);
     let leaves = restitution * speed;
-    if t > h || speed <= sub.restitution_threshold {
+    if speed <= sub.restitution_threshold {
         return None;
+    }
+    if t > h {
+        // It flies through this sub-step: the ordinary row would brake it at the surface.
+        return Some((-FREE, -FREE));
     }
     let rest = h - t;
     let way = leaves * rest + 0.5 * accel * rest * rest;
@@ -153,7 +160,7 @@ mod tests {
     fn parting_late_slow_or_repeated_impacts_are_none() {
         let h = 1.0 / 240.0;
         assert!(reflect(0.0, 0.1, -10.0, 0.8, &sub(h)).is_none(), "parting");
-        assert!(reflect(0.1, -4.0, -10.0, 0.8, &sub(h)).is_none(), "too far away");
+        assert_eq!(reflect(0.1, -4.0, -10.0, 0.8, &sub(h)), Some((-FREE, -FREE)), "too far away");
         let threshold = SubStep { restitution_threshold: 1.0, ..sub(h) };
         assert!(reflect(0.0, -0.9, -10.0, 0.8, &threshold).is_none(), "slower than the threshold");
         assert!(reflect(0.0, -0.01, -10.0, 0.8, &sub(h)).is_none(), "would land again at once");

@@ -43,8 +43,8 @@ pub struct Placed {
     pub rows: [u32; 2],
     /// Centre of A minus centre of B \[m\].
     pub offset: Vec3,
-    /// Whether A or B cannot be moved.
-    pub stiff: bool,
+    /// How soft it is, see [`ContactBlock`].
+    pub soft: [Float; 3],
     /// The memory filter's rate, per step.
     pub alpha: Float,
     /// This step's sub-step over the last one's: impulses are per sub-step.
@@ -189,15 +189,18 @@ fn fill<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>>(
     block.source.as_mut()[lane] = at.index;
     block.normal.put(lane, c.normal);
     block.offset.put(lane, at.offset);
-    block.stiff.put(lane, if at.stiff { 1.0 } else { 0.0 });
+    for (column, value) in block.soft.iter_mut().zip(at.soft) {
+        column.put(lane, value);
+    }
     let scale = at.impulse_scale;
+    let mean_gap = c.points().iter().map(|q| q.impulse - q.memory).sum::<Float>() / Float::from(c.count);
     let (mut center, mut load) = (Vec3::zeros(), 0.0);
     for (p, q) in block.points.iter_mut().zip(c.points()) {
         p.r.put(lane, q.anchor);
         p.separation.put(lane, q.separation);
         p.mass.put(lane, 1.0);
         p.lambda.put(lane, q.impulse * scale);
-        p.memory.put(lane, (q.memory + at.alpha * (q.impulse - q.memory)) * scale);
+        p.memory.put(lane, (q.memory + at.alpha * mean_gap) * scale);
         center += q.anchor * q.impulse;
         load += q.impulse;
     }

@@ -1,7 +1,8 @@
 //! Lays the constraints of the awake islands out by (batch, colour, kind) and their bodies by batch.
 
-use super::Settings;
+use super::{Settings, soft};
 use super::kinds::{KINDS, Kind, KindTable, Placed, kind_of};
+use super::preload::Preload;
 use super::rows::{Aux, InertiaRow, Row, Rows};
 use crate::body::{BodySet, BodyStore, NONE};
 use crate::constraint::{ContactStore, contact::flags};
@@ -64,6 +65,7 @@ pub struct Workspace {
     ratio_of: Vec<Float>,
     /// Σ normal impulse by solver row.
     load: Vec<Float>,
+    preload: Preload,
     keys: Vec<u64>,
     placed: Vec<Placed>,
     /// Batch and row of each kinematic body's last copy, by awake row.
@@ -92,11 +94,11 @@ impl Workspace {
     pub fn lay_out(
         &mut self,
         bodies: &BodyStore,
-        contacts: &ContactStore,
+        contacts: &mut ContactStore,
         islands: &mut IslandStore,
         settings: &Settings,
     ) {
-        self.gather_islands(bodies, contacts, islands);
+        self.gather_islands(bodies, contacts, islands, settings);
         self.fill_rows(bodies, islands, settings);
         self.measure_loads(bodies, contacts, settings);
         self.sort_constraints(bodies, contacts);
@@ -104,7 +106,13 @@ impl Workspace {
     }
 
     /// The awake islands and how many constraints each has.
-    fn gather_islands(&mut self, bodies: &BodyStore, contacts: &ContactStore, islands: &mut IslandStore) {
+    fn gather_islands(
+        &mut self,
+        bodies: &BodyStore,
+        contacts: &mut ContactStore,
+        islands: &mut IslandStore,
+        settings: &Settings,
+    ) {
         self.order.clear();
         let count = islands.islands.len();
         self.constraints_of.clear();
@@ -123,6 +131,9 @@ impl Workspace {
         for &island in &self.order {
             if islands.islands[island as usize].changed {
                 islands.measure(island, &bodies.bodies, &contacts.contacts);
+                if settings.warm_starting && islands.islands[island as usize].anchored {
+                    self.preload.run(island, islands, bodies, contacts, settings);
+                }
             }
         }
         self.islands = self.order.len();
@@ -264,6 +275,9 @@ impl Workspace {
         self.kinematic_copy.clear();
         self.kinematic_copy.resize(bodies.awake().len(), [NONE; 2]);
         let h = settings.dt / settings.sub_steps as Float;
+        // Between moving bodies, and on immovable ones.
+        let softness_of =
+            [1.0, 2.0].map(|factor| soft(factor * settings.stiffness / h, settings.damping_ratio, h));
         let impulse_scale = if settings.last_h > 0.0 { h / settings.last_h } else { 1.0 };
         let mut at = 0;
         for batch in 0..self.batches.len() {
@@ -280,7 +294,9 @@ impl Workspace {
                         index,
                         rows: contact.body.map(|b| self.row_for(bodies, b, batch as u32, settings, h)),
                         offset: center(bodies, contact.body[0]) - center(bodies, contact.body[1]),
-                        stiff: contact.body.iter().any(|&b| bodies.bodies[b as usize].island == NONE),
+                        soft: softness_of[usize::from(
+                            contact.body.iter().any(|&b| bodies.bodies[b as usize].island == NONE),
+                        )],
                         alpha: if settings.load_memory {
                             memory_rate(
                                 self.ratio_of[island as usize],

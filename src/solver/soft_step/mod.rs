@@ -9,6 +9,7 @@ mod impact;
 mod kinds;
 mod layout;
 mod passes;
+mod preload;
 mod rows;
 
 pub use layout::Workspace;
@@ -25,10 +26,6 @@ pub struct SubStep {
     pub h: Float,
     /// 1/h.
     pub inv_h: Float,
-    /// Push-out rate \[1/s\], mass scale and impulse scale of contacts between moving bodies.
-    pub soft_between_moving: [Float; 3],
-    /// The same for contacts with something immovable.
-    pub soft_on_static: [Float; 3],
     /// Greatest push-out speed \[m/s\].
     pub push_out: Float,
     /// Slower approach does not bounce \[m/s\].
@@ -68,12 +65,9 @@ impl Settings {
     fn sub_step(&self) -> SubStep {
         let h = self.dt / self.sub_steps as Float;
         let inv_h = 1.0 / h;
-        let soft = |share: Float| soft(share * inv_h, self.damping_ratio, h);
         SubStep {
             h,
             inv_h,
-            soft_between_moving: soft(self.stiffness),
-            soft_on_static: soft(2.0 * self.stiffness),
             push_out: self.push_out,
             restitution_threshold: self.restitution_threshold,
         }
@@ -94,7 +88,7 @@ fn soft(hertz: Float, damping_ratio: Float, h: Float) -> [Float; 3] {
 pub fn prepare(
     work: &mut Workspace,
     bodies: &BodyStore,
-    contacts: &ContactStore,
+    contacts: &mut ContactStore,
     islands: &mut IslandStore,
     settings: &Settings,
 ) {
