@@ -177,6 +177,8 @@ impl Story {
 
 thread_local! {
     static STORY: Cell<*mut Story> = const { Cell::new(null_mut()) };
+    /// How many calls ended with each code.
+    static COUNTS: Cell<[u32; 14]> = const { Cell::new([0; 14]) };
 }
 
 /// What every callback does: it calls something. Changes of the world are refused, the rest must work.
@@ -275,6 +277,9 @@ fn checked_act(s: &mut Story) {
     let code = mvGetLastError();
     STORY.with(|c| c.set(null_mut()));
     assert!((0..mv_errorFaulted).contains(&code), "code {code}: {}", message());
+    let mut counts = COUNTS.with(Cell::get);
+    counts[code as usize] += 1;
+    COUNTS.with(|c| c.set(counts));
     if code != 0 {
         assert!(message().starts_with("mv"), "the message names the function: {}", message());
     }
@@ -301,7 +306,7 @@ fn random_calls_break_nothing() {
         play(seed);
         seed += 1;
     }
-    println!("{} stories of {CALLS} calls", seed - 1);
+    println!("{} stories of {CALLS} calls; by error code: {:?}", seed - 1, COUNTS.with(Cell::get));
 }
 
 /// Two threads play in the same worlds: many calls are refused as busy, none may do harm.
