@@ -72,6 +72,15 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
+/// The value, or a panic with the error's sentence: for the plain twins of calls named `try_…`.
+#[track_caller]
+pub(crate) fn expect<T>(result: Result<T>) -> T {
+    match result {
+        Ok(value) => value,
+        Err(error) => panic!("{error}"),
+    }
+}
+
 /// Checks that are written again and again at the API's edge.
 pub(crate) mod check {
     use super::{Error, ErrorCode, Result};

@@ -4,6 +4,7 @@
 
 pub mod error;
 pub mod math;
+mod memory;
 pub mod simd;
 
 pub mod world;
@@ -22,6 +23,11 @@ pub mod solver;
 pub mod capi;
 
 pub use error::{Error, ErrorCode, Result};
+pub use math::Aabb as AABB;
 pub use math::{Aabb, Float, Mat3, Pose, Quat, Vec3};
 pub use shape::Shape;
+pub use world::{
+    ObjID, RigidBodyId, RigidBodyRef, RigidbodyBuilder, StaticBodyId, StaticbodyBuilder, StaticbodyRef,
+    WorldBuilder, WorldConfig,
+};
 pub use world::{BodyDef, BodyId, BodyType, ShapeDef, ShapeId, World, WorldDef};

@@ -21,12 +21,32 @@ use crate::world::{BodyType, MotionLocks};
 pub struct Motion {
     /// Centre of mass in the world \[m\].
     pub x: Vec3,
+    /// What rounding has left out of `x` so far \[m\]: it is added with the next move, so that slow or far bodies do
+    /// not lose their way.
+    pub x_rest: Vec3,
     /// World from body.
     pub q: Quat,
     /// Momentum \[kg m/s\]; the velocity \[m/s\] where the body has no mass.
     pub p: Vec3,
     /// Angular momentum about the centre of mass, world axes \[kg m²/s\]; ω \[rad/s\] where there is no inertia.
     pub l: Vec3,
+}
+
+impl Motion {
+    /// Moves the centre of mass by `d`, compensating rounding (Kahan).
+    #[inline(always)]
+    pub fn shift(&mut self, d: Vec3) {
+        let d = d + self.x_rest;
+        let x = self.x + d;
+        self.x_rest = d - (x - self.x);
+        self.x = x;
+    }
+
+    /// Puts the centre of mass to `x`.
+    #[inline(always)]
+    pub fn place(&mut self, x: Vec3) {
+        (self.x, self.x_rest) = (x, Vec3::zeros());
+    }
 }
 
 /// What drives a body besides contacts. Forces are written by the user and cleared by `end`.

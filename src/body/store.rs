@@ -165,6 +165,7 @@ impl BodyStore {
         rows.index.push(index as u32);
         rows.motion.push(Motion {
             x: def.position,
+            x_rest: Vec3::zeros(),
             q: rotation,
             p: if still { Vec3::zeros() } else { without(def.linear_velocity, locks.linear) },
             l: if still { Vec3::zeros() } else { without(def.angular_velocity, locks.angular) },

@@ -164,6 +164,7 @@ impl ContactStore {
             list.push(index as u32);
         }
         if index == self.contacts.len() {
+            crate::memory::make_room(&mut self.contacts, 1);
             self.contacts.push(contact);
         } else {
             self.contacts[index] = contact;

@@ -1,7 +1,7 @@
 //! A sphere or a capsule A against a solid with flat faces B. Everything is computed in the frame of B, where the
 //! faces are; the result is turned to the frame of A at the end.
 
-use super::analytic::{CROSSING, closest_of_segments};
+use super::analytic::{CROSSING, FLUSH, closest_of_segments};
 use super::contact::{Manifold, feature};
 use super::epa;
 use super::gjk::{Pair, Status};
@@ -38,7 +38,7 @@ pub(super) fn sphere_polytope<P: Polytope>(
     if top - a.radius() > margin {
         return;
     }
-    let (outward, gap) = if top <= 0.0 {
+    let (outward, gap) = if top <= 0.0 || is_over(b, face, center) {
         (b.plane(face).0, top)
     } else {
         let pair = Pair::new(CorePoints::One(center), b.core_points(), &Pose::IDENTITY);
@@ -54,6 +54,16 @@ pub(super) fn sphere_polytope<P: Polytope>(
         out.normal = -pose.vector(outward);
         out.push(pose.point(center - outward * (0.5 * (gap + a.radius()))), separation, 0);
     }
+}
+
+/// Whether `x` lies over the face: then its foot there is the closest point of the whole solid.
+fn is_over<P: Polytope>(b: &P, face: usize, x: Vec3) -> bool {
+    let (n, vs) = (b.plane(face).0, b.face_vertices(face));
+    (0..vs.len()).all(|i| {
+        let v = b.vertex(vs[i] as usize);
+        let next = b.vertex(vs[if i + 1 == vs.len() { 0 } else { i + 1 }] as usize);
+        (next - v).cross(&n).dot(&(x - v)) <= 0.0
+    })
 }
 
 /// Where the segment of the capsule and the solid come closest, or how to part them: the outward normal of the
@@ -74,19 +84,7 @@ pub(super) fn capsule_polytope<P: Polytope>(
 ) {
     let ends = [pose.point_back(a.center1()), pose.point_back(a.center2())];
     let reach = a.radius() + margin;
-    let pair = Pair::new(CorePoints::Two(ends), b.core_points(), &Pose::IDENTITY);
-    let close = pair.distance(reach);
-    let axis = match close.status {
-        Status::Beyond => return,
-        Status::Overlapping if gjk => {
-            let d = epa::depth(&pair, &close.simplex);
-            Axis { outward: -narrow(d.normal), gap: single(-d.depth), on_segment: narrow(d.a) }
-        }
-        Status::Overlapping => deep_axis(ends, b, narrow(close.a)),
-        _ => {
-            Axis { outward: -narrow(close.normal), gap: single(close.distance), on_segment: narrow(close.a) }
-        }
-    };
+    let Some(axis) = over_face(ends, b).or_else(|| closest_axis(ends, b, reach, gjk)) else { return };
     if axis.gap > reach {
         return;
     }
@@ -111,6 +109,39 @@ pub(super) fn capsule_polytope<P: Polytope>(
     for p in &mut out.points[..out.count] {
         p.point = pose.point(p.point);
     }
+}
+
+/// A segment whose ends both lie over one face is closest to the solid there, at the lower end.
+fn over_face<P: Polytope>(ends: [Vec3; 2], b: &P) -> Option<Axis> {
+    let (mut gap, mut face) = (0.0, None);
+    for i in 0..b.face_count() {
+        let (n, d) = b.plane(i);
+        let height = n.dot(&ends[0]).min(n.dot(&ends[1])) - d;
+        if height > gap {
+            (gap, face) = (height, Some(i));
+        }
+    }
+    let face = face.filter(|&f| is_over(b, f, ends[0]) && is_over(b, f, ends[1]))?;
+    let outward = b.plane(face).0;
+    let lower = usize::from(outward.dot(&ends[1]) < outward.dot(&ends[0]));
+    Some(Axis { outward, gap, on_segment: ends[lower] })
+}
+
+/// The axis from GJK; where the segment pierces the solid, from its faces and edges, or from EPA.
+fn closest_axis<P: Polytope>(ends: [Vec3; 2], b: &P, reach: Float, gjk: bool) -> Option<Axis> {
+    let pair = Pair::new(CorePoints::Two(ends), b.core_points(), &Pose::IDENTITY);
+    let close = pair.distance(reach);
+    Some(match close.status {
+        Status::Beyond => return None,
+        Status::Overlapping if gjk => {
+            let d = epa::depth(&pair, &close.simplex);
+            Axis { outward: -narrow(d.normal), gap: single(-d.depth), on_segment: narrow(d.a) }
+        }
+        Status::Overlapping => deep_axis(ends, b, narrow(close.a)),
+        _ => {
+            Axis { outward: -narrow(close.normal), gap: single(close.distance), on_segment: narrow(close.a) }
+        }
+    })
 }
 
 /// Adds the point under `on_segment`, where the gap between segment and solid is `gap`.
@@ -241,10 +272,16 @@ fn on_edge<P: Polytope>(
         }
         let at = e.map(|v| (v - ends[0]).dot(&along) / length_squared(along));
         let (first, last) = if at[0] < at[1] { (0, 1) } else { (1, 0) };
-        let start =
-            if at[first] > 0.0 { (at[first], feature::vertex_b(first)) } else { (0.0, feature::vertex_a(0)) };
-        let end =
-            if at[last] < 1.0 { (at[last], feature::vertex_b(last)) } else { (1.0, feature::vertex_a(1)) };
+        let start = if at[first] > FLUSH {
+            (at[first], feature::vertex_b(first))
+        } else {
+            (0.0, feature::vertex_a(0))
+        };
+        let end = if at[last] < 1.0 - FLUSH {
+            (at[last], feature::vertex_b(last))
+        } else {
+            (1.0, feature::vertex_a(1))
+        };
         if end.0 - start.0 <= 1e-3 {
             continue;
         }

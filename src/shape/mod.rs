@@ -25,7 +25,7 @@ pub(crate) mod testing;
 #[cfg(test)]
 mod tests;
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, expect};
 use crate::math::{Aabb, Float, Pose, Vec3};
 use std::sync::Arc;
 
@@ -67,15 +67,6 @@ macro_rules! each {
             Shape::HalfSpace($s) => $body,
         }
     };
-}
-
-/// The value, or a panic with the error's sentence: for constructors whose arguments are written by hand.
-#[track_caller]
-fn expect<T>(result: Result<T>) -> T {
-    match result {
-        Ok(value) => value,
-        Err(error) => panic!("{error}"),
-    }
 }
 
 impl Shape {

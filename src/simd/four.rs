@@ -98,9 +98,10 @@ mod register {
         }
         #[inline(always)]
         fn put(&mut self, i: usize, x: Float) {
-            let mut a = self.to_array();
-            a[i] = x;
-            *self = Self::load(a);
+            assert!(i < 4);
+            // SAFETY: a register of four f32 in memory is an array of four f32, and `i` is one of them. Writing
+            // the element alone spares a round trip of the whole register.
+            unsafe { (&raw mut self.0).cast::<f32>().add(i).write(x) }
         }
         #[inline(always)]
         fn over(self, d: Self) -> Self {

@@ -104,6 +104,11 @@ impl World {
             self.broad_phase.find_pairs(&self.moved, &mut pairs);
         }
         self.moved.clear();
+        // A crowd comes at once: make the room at once, too.
+        let free = self.identity.contacts.slots() - self.identity.contacts.live();
+        let new = pairs.len().saturating_sub(self.pairs.len() + free);
+        crate::memory::make_room(&mut self.contacts.contacts, new);
+        self.pairs.reserve(new);
         for &pair in &pairs {
             if self.pairs.get(pair).is_none() && self.may_collide(pair) {
                 self.create_contact(pair);
@@ -164,9 +169,11 @@ impl World {
             }
             self.contacts.contacts[index as usize] = contact;
         }
-        scratch.gone.sort_unstable();
-        scratch.stopped.sort_unstable();
-        scratch.started.sort_unstable();
+        // By shapes, not by slots: slots depend on what else is in the world.
+        let shapes = |c: &u32| self.contacts.contacts[*c as usize].shape;
+        for list in [&mut scratch.gone, &mut scratch.stopped, &mut scratch.started] {
+            list.sort_unstable_by_key(shapes);
+        }
         for &index in &scratch.gone {
             self.destroy_contact(index as usize, false);
         }

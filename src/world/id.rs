@@ -94,6 +94,7 @@ impl IdPool {
             slot.live = true;
             (index as usize, slot.generation)
         } else {
+            crate::memory::make_room(&mut self.slots, 1);
             self.slots.push(Slot { generation: 1, highest: 1, live: true });
             (self.slots.len() - 1, 1)
         }

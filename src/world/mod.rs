@@ -7,6 +7,7 @@ mod id;
 mod islands;
 mod query;
 mod report;
+mod seed;
 mod step;
 mod view;
 
@@ -17,6 +18,10 @@ pub use def::{
 pub use id::{BodyId, ContactId, IdPool, Identity, ShapeId};
 pub use query::ShapeHit;
 pub use report::{Counters, Profile, StepReport};
+pub use seed::{
+    ObjID, RigidBodyId, RigidBodyRef, RigidbodyBuilder, RigidbodyIter, StaticBodyId, StaticbodyBuilder,
+    StaticbodyIter, StaticbodyRef, WorldBuilder, WorldConfig, WorldPlan,
+};
 pub use view::{BodyMut, BodyRef, ColliderMut, ColliderRef, ContactData};
 
 use crate::body::{BodyStore, MassProps, SetId};
@@ -79,12 +84,11 @@ pub struct World {
     pub(crate) moved: Vec<u32>,
     /// Length of a sub-step of the last step \[s\].
     pub(crate) last_h: Float,
-    pub(crate) last_dt: Float,
     pub(crate) last_sub_steps: u32,
     pub(crate) profile: Profile,
     pub(crate) counts: report::Counts,
-    /// The seed's solver settings, see [`crate::world::WorldConfig`].
-    pub(crate) solver_steps: u32,
+    /// What [`World::update`] and the builders of bodies go by.
+    pub(crate) seed: seed::Settings,
 }
 
 /// The whole state of a world at one time. Restoring it gives the same future, bit for bit.
@@ -92,12 +96,12 @@ pub struct World {
 pub struct Snapshot(Box<World>);
 
 impl World {
-    /// A world from a definition.
+    /// A world from a [`&WorldDef`](WorldDef) or a [`WorldConfig`].
     ///
     /// # Errors
-    /// What [`WorldDef::validate`] says.
-    pub fn try_new(def: &WorldDef) -> Result<World> {
-        Self::try_with_identity(def, Identity::new(0))
+    /// What [`WorldDef::validate`] or [`WorldConfig::validate`] says.
+    pub fn try_new(plan: impl WorldPlan) -> Result<World> {
+        plan.carry_out()
     }
 
     /// A world whose ids are told from those of other worlds by `identity`.
@@ -122,11 +126,10 @@ impl World {
             scratch: collide::Scratch::default(),
             moved: Vec::new(),
             last_h: 0.0,
-            last_dt: 0.0,
             last_sub_steps: 0,
             profile: Profile::default(),
             counts: report::Counts::default(),
-            solver_steps: 4,
+            seed: seed::Settings::default(),
         })
     }
 
@@ -528,7 +531,8 @@ impl World {
         let (v, w, origin) = (set.velocity(row), set.angular_velocity(row), set.origin(row));
         let old_center = set.motion[row].x;
         set.mass[row] = MassProps::new(data, 0.0);
-        set.motion[row].x = origin.point(set.mass[row].center);
+        let center = origin.point(set.mass[row].center);
+        set.motion[row].place(center);
         set.refresh_inertia(row);
         let shifted = v + w.cross(&(set.motion[row].x - old_center));
         set.set_velocity(row, shifted);

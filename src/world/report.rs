@@ -226,6 +226,7 @@ impl World {
             let m = &set.motion[row];
             hash.word(index as u64);
             hash.vec(m.x);
+            hash.vec(m.x_rest);
             hash.quat(&m.q);
             hash.vec(m.p);
             hash.vec(m.l);

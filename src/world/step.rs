@@ -58,7 +58,8 @@ impl World {
             last_h: self.last_h,
             stiffness: self.def.contact_stiffness,
             damping_ratio: self.def.contact_damping_ratio,
-            push_out: self.def.contact_speed,
+            push_out_between_moving: self.def.contact_speed * self.seed.rb_separation_force,
+            push_out_on_static: self.def.contact_speed * self.seed.sb_separation_force,
             restitution_threshold: self.def.restitution_threshold,
             maximum_linear_speed: self.def.maximum_linear_speed,
             warm_starting: self.def.enable_warm_starting,
@@ -77,7 +78,7 @@ impl World {
             if self.bodies.bodies[set.index[row] as usize].island == NONE {
                 let (v, w) = (set.velocity(row), set.angular_velocity(row));
                 let motion = &mut set.motion[row];
-                motion.x += v * dt;
+                motion.shift(v * dt);
                 motion.q = crate::integrate::turn_by(&motion.q, w * dt);
                 if !crate::math::is_finite(motion.x) {
                     broken.push(set.index[row]);
@@ -183,7 +184,6 @@ impl World {
                 (drive.force, drive.torque) = (Vec3::zeros(), Vec3::zeros());
             }
             self.last_h = settings.dt / settings.sub_steps as Float;
-            self.last_dt = settings.dt;
         }
         self.last_sub_steps = settings.sub_steps;
         self.counts.steps += 1;
@@ -195,7 +195,7 @@ impl World {
         let motion = &mut set.motion[row];
         if !crate::math::is_finite(motion.x) {
             // Kinematic: its velocity carried it out of all bounds.
-            motion.x = motion.x.map(|x| if x.is_finite() { x } else { 0.0 });
+            motion.place(motion.x.map(|x| if x.is_finite() { x } else { 0.0 }));
         }
         (motion.p, motion.l) = (Vec3::zeros(), Vec3::zeros());
         self.bodies.bodies[body].quarantined = true;

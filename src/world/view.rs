@@ -322,7 +322,7 @@ impl BodyMut<'_> {
         let (set, row) = self.at();
         let (v, w, center) = (set.velocity(row), set.angular_velocity(row), set.mass[row].center);
         set.motion[row].q = pose.q;
-        set.motion[row].x = pose.point(center);
+        set.motion[row].place(pose.point(center));
         set.refresh_inertia(row);
         set.set_velocity(row, v);
         set.set_angular_velocity(row, w);

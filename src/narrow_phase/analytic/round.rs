@@ -93,10 +93,16 @@ pub(in crate::narrow_phase) fn capsule_capsule(
     let along = |x: Vec3| (x - p[0]).dot(&u) / uu;
     let on_b = [along(q[0]), along(q[1])];
     let (first, last) = if on_b[0] <= on_b[1] { (0, 1) } else { (1, 0) };
-    let lower =
-        if on_b[first] > 0.0 { (on_b[first], feature::vertex_b(first)) } else { (0.0, feature::vertex_a(0)) };
-    let upper =
-        if on_b[last] < 1.0 { (on_b[last], feature::vertex_b(last)) } else { (1.0, feature::vertex_a(1)) };
+    let lower = if on_b[first] > FLUSH {
+        (on_b[first], feature::vertex_b(first))
+    } else {
+        (0.0, feature::vertex_a(0))
+    };
+    let upper = if on_b[last] < 1.0 - FLUSH {
+        (on_b[last], feature::vertex_b(last))
+    } else {
+        (1.0, feature::vertex_a(1))
+    };
     if upper.0 - lower.0 > 1e-3 && distance > 1e-3 * reach {
         let span = on_b[last] - on_b[first];
         let ends = [lower, upper].map(|(s, id)| {
@@ -130,6 +136,9 @@ pub(in crate::narrow_phase) fn capsule_capsule(
 /// Axes that stray sideways by more than this share of the radii cross; within it the gap of the round surfaces
 /// differs from the gap along the normal by half its square.
 pub(in crate::narrow_phase) const CROSSING: Float = 0.03;
+
+/// Ends that lie side by side within this share of the length count as A's: rounding must not decide whose they are.
+pub(in crate::narrow_phase) const FLUSH: Float = 1e-4;
 
 /// The parameters in 0 … 1 of the closest points of two segments (Ericson, Real-Time Collision Detection 2005,
 /// 5.1.9). Of parallel segments the middle of the common stretch is taken: it is the same seen from both.

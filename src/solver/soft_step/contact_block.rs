@@ -52,8 +52,8 @@ pub struct ContactBlock<L: Lane, const P: usize, F, R> {
     pub normal: V3<L>,
     /// Centre of A minus centre of B, so that r_B = r_A + offset.
     pub offset: V3<L>,
-    /// How soft the contacts are: push-out rate \[1/s\], mass scale, impulse scale.
-    pub soft: [L; 3],
+    /// How soft the contacts are: push-out rate \[1/s\], mass scale, impulse scale, greatest push-out speed \[m/s\].
+    pub soft: [L; 4],
     /// The points; lanes with fewer have massless ones.
     pub points: [Point<L>; P],
     /// Friction.
@@ -477,7 +477,7 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Contac
             // A unit normal, so that empty lanes compute harmless numbers.
             normal: V3::new(zero, zero, L::splat(1.0)),
             offset: V3::zero(),
-            soft: [zero; 3],
+            soft: [zero; 4],
             points: [point; P],
             friction: F::empty(),
             impact: R::empty(),
@@ -522,9 +522,9 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Contac
         let shift = n.dot(xb - xa);
         let (ma, mb) = (turned_back_minus(ua, sa, n), turned_back_minus(ub, sb, n));
 
-        let [rate, mass_scale, impulse_scale] = self.soft;
+        let [rate, mass_scale, impulse_scale, push_out] = self.soft;
         let stiffness = mass_scale * rate;
-        let (inv_h, push_out) = (L::splat(sub.inv_h), L::splat(-sub.push_out));
+        let (inv_h, push_out) = (L::splat(sub.inv_h), -push_out);
 
         self.friction.solve(n, self.offset, &self.points, &mut a, &mut b, RELAX);
         for (k, p) in self.points.iter_mut().enumerate() {

@@ -44,7 +44,7 @@ pub struct Placed {
     /// Centre of A minus centre of B \[m\].
     pub offset: Vec3,
     /// How soft it is, see [`ContactBlock`].
-    pub soft: [Float; 3],
+    pub soft: [Float; 4],
     /// The memory filter's rate, per step.
     pub alpha: Float,
     /// This step's sub-step over the last one's: impulses are per sub-step.
@@ -120,13 +120,14 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Kind f
 
     fn append(&mut self, contacts: &[Contact], placed: &[Placed], rows: &Rows) -> Range<u32> {
         let start = self.blocks.len();
+        crate::memory::make_room(&mut self.blocks, placed.len().div_ceil(L::N));
         for group in placed.chunks(L::N) {
-            let mut block = ContactBlock::empty();
+            self.blocks.push(ContactBlock::empty());
+            let block = self.blocks.last_mut().expect("pushed above");
             for (lane, place) in group.iter().enumerate() {
-                fill(&mut block, lane, &contacts[place.index as usize], place);
+                fill(block, lane, &contacts[place.index as usize], place);
             }
             block.prepare(rows);
-            self.blocks.push(block);
         }
         start as u32..self.blocks.len() as u32
     }

@@ -18,6 +18,10 @@ const BATCH_BYTES: usize = 512 << 10;
 /// order of its square.
 const SPIN_BOUND: Float = 2e-4;
 
+/// How many constraints are placed before their blocks are filled: a multiple of every width, few enough to stay
+/// in the cache.
+const CHUNK: usize = 512;
+
 /// Islands that one thread takes through all sub-steps.
 #[derive(Clone, Debug)]
 pub struct Batch {
@@ -100,8 +104,8 @@ impl Workspace {
     ) {
         self.gather_islands(bodies, contacts, islands, settings);
         self.fill_rows(bodies, islands, settings);
-        self.measure_loads(bodies, contacts, settings);
         self.sort_constraints(bodies, contacts);
+        self.measure_loads(bodies, contacts, settings);
         self.fill_blocks(bodies, contacts, islands, settings);
     }
 
@@ -196,14 +200,13 @@ impl Workspace {
     }
 
     /// The load ratio of each island (how much more a body carries than it weighs) and who is held by contacts.
+    /// Sums run over the sorted constraints, so that they do not depend on what else is in the world.
     fn measure_loads(&mut self, bodies: &BodyStore, contacts: &ContactStore, settings: &Settings) {
         self.load.clear();
         self.load.resize(self.rows.row.len(), 0.0);
-        for &c in &contacts.awake {
-            let contact = &contacts.contacts[c as usize];
-            let Some(island) = island_of(bodies, contact.body).filter(|_| contact.is(flags::CONSTRAINT)) else {
-                continue;
-            };
+        for &key in &self.keys {
+            let contact = &contacts.contacts[key as u32 as usize];
+            let island = island_of(bodies, contact.body).expect("sorted ones have an island");
             let sum: Float = contact.points().iter().map(|p| p.impulse).sum();
             let mut masses = [0.0; 2];
             for side in 0..2 {
@@ -255,6 +258,14 @@ impl Workspace {
             self.keys.push(((batch * 32 + color) * 32 + kind_of(contact) as u64) << 32 | u64::from(c));
         }
         self.keys.sort_unstable();
+        // Within a colour order is of no consequence; overflow goes by the shapes, as contact slots depend on what
+        // else is in the world.
+        let group = |key: u64| key >> 32;
+        for run in self.keys.chunk_by_mut(|a, b| group(*a) == group(*b)) {
+            if group(run[0]) / 32 % 32 == 0 {
+                run.sort_unstable_by_key(|&key| contacts.contacts[key as u32 as usize].shape);
+            }
+        }
     }
 
     /// Blocks, group by group.
@@ -276,8 +287,8 @@ impl Workspace {
         self.kinematic_copy.resize(bodies.awake().len(), [NONE; 2]);
         let h = settings.dt / settings.sub_steps as Float;
         // Between moving bodies, and on immovable ones.
-        let softness_of =
-            [1.0, 2.0].map(|factor| soft(factor * settings.stiffness / h, settings.damping_ratio, h));
+        let softness_of = [(1.0, settings.push_out_between_moving), (2.0, settings.push_out_on_static)]
+            .map(|(factor, speed)| soft(factor * settings.stiffness / h, settings.damping_ratio, h, speed));
         let impulse_scale = if settings.last_h > 0.0 { h / settings.last_h } else { 1.0 };
         let mut at = 0;
         for batch in 0..self.batches.len() {
@@ -286,7 +297,7 @@ impl Workspace {
             while at < self.keys.len() && (self.keys[at] >> 42) as usize == batch {
                 let group = self.keys[at] >> 32;
                 self.placed.clear();
-                while at < self.keys.len() && self.keys[at] >> 32 == group {
+                while at < self.keys.len() && self.keys[at] >> 32 == group && self.placed.len() < CHUNK {
                     let index = self.keys[at] as u32;
                     let contact = &contacts.contacts[index as usize];
                     let island = island_of(bodies, contact.body).expect("sorted ones have an island");

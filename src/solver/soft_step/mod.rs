@@ -26,8 +26,6 @@ pub struct SubStep {
     pub h: Float,
     /// 1/h.
     pub inv_h: Float,
-    /// Greatest push-out speed \[m/s\].
-    pub push_out: Float,
     /// Slower approach does not bounce \[m/s\].
     pub restitution_threshold: Float,
 }
@@ -47,8 +45,10 @@ pub struct Settings {
     pub stiffness: Float,
     /// Damping ratio of overlap recovery.
     pub damping_ratio: Float,
-    /// Greatest push-out speed \[m/s\].
-    pub push_out: Float,
+    /// Greatest push-out speed between moving bodies \[m/s\].
+    pub push_out_between_moving: Float,
+    /// The same against immovable ones.
+    pub push_out_on_static: Float,
     /// Slower approach does not bounce \[m/s\].
     pub restitution_threshold: Float,
     /// Greatest speed \[m/s\].
@@ -68,20 +68,19 @@ impl Settings {
         SubStep {
             h,
             inv_h,
-            push_out: self.push_out,
             restitution_threshold: self.restitution_threshold,
         }
     }
 }
 
 /// A spring of this frequency \[Hz\] and damping ratio as a soft constraint over a step h, integrated implicitly
-/// \[Catto GDC11\]: push-out rate, mass scale, impulse scale.
-fn soft(hertz: Float, damping_ratio: Float, h: Float) -> [Float; 3] {
+/// \[Catto GDC11\]: push-out rate, mass scale, impulse scale; and the greatest push-out speed as it is given.
+fn soft(hertz: Float, damping_ratio: Float, h: Float, push_out: Float) -> [Float; 4] {
     let w = 2.0 * PI * hertz;
     let a1 = 2.0 * damping_ratio + h * w;
     let a2 = h * w * a1;
     let a3 = 1.0 / (1.0 + a2);
-    [w / a1, a2 * a3, a3]
+    [w / a1, a2 * a3, a3, push_out]
 }
 
 /// Solves all awake islands: velocities, impulses and moves are left in `work` and the contacts.

@@ -147,7 +147,7 @@ impl Workspace {
                 let (v, w, dx, dq) = (row.v(), row.w(), row.dx(), row.dq());
                 let old = set.motion[at];
                 let mut new = old;
-                new.x += dx;
+                new.shift(dx);
                 new.q = if aux.spin { aux.q[0] * set.mass[at].principal.conjugate() } else { dq * old.q };
                 new.q = crate::math::quat(new.q.w, Vec3::new(new.q.i, new.q.j, new.q.k));
                 let (dv, dw) = (v - aux.begin[0], w - aux.begin[1]);

@@ -1,0 +1,296 @@
+//! How a world is made.
+
+use crate::error::{Error, ErrorCode, Result, check, expect};
+use crate::math::{Float, Vec3, vec3};
+use crate::world::{Identity, SurfaceMaterial, World, WorldDef};
+
+/// What a world can be made from: a [`WorldConfig`], or a reference to a [`WorldDef`].
+pub trait WorldPlan {
+    /// Makes the world.
+    ///
+    /// # Errors
+    /// What is wrong with the plan.
+    fn carry_out(self) -> Result<World>;
+}
+
+impl WorldPlan for &WorldDef {
+    fn carry_out(self) -> Result<World> {
+        World::try_with_identity(self, Identity::new(0))
+    }
+}
+
+impl WorldPlan for WorldConfig {
+    fn carry_out(self) -> Result<World> {
+        self.validate()?;
+        let def = WorldDef {
+            gravity: self.gravity,
+            restitution_threshold: 0.0,
+            enable_sleep: false,
+            ..WorldDef::default()
+        };
+        let mut world = def.carry_out()?;
+        world.seed = Settings {
+            solver_steps: self.solver_steps as u32,
+            rb_separation_force: self.rb_separation_force,
+            sb_separation_force: self.sb_separation_force,
+            material: SurfaceMaterial {
+                restitution: self.bounciness,
+                friction: self.friction,
+                ..SurfaceMaterial::default()
+            },
+        };
+        Ok(world)
+    }
+}
+
+/// The settings of a world. To be made by a [`WorldBuilder`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct WorldConfig {
+    /// The acceleration of everything that falls \[m/s²\]; default (0, −10, 0).
+    pub gravity: Vec3,
+    /// Into how many sub-steps the solver divides an update, 1 … 1000; default 4.
+    pub solver_steps: usize,
+    /// Scale of the speed at which overlapping rigid bodies push each other apart, ≥ 0; default 1, which is
+    /// 3 m/s at most.
+    pub rb_separation_force: Float,
+    /// The same for a rigid body that overlaps a static one.
+    pub sb_separation_force: Float,
+    /// Coefficient of restitution of all shapes, from 0 (no bounce) to 1 (nothing is lost); default 0.
+    pub bounciness: Float,
+    /// Coefficient of friction of all shapes, ≥ 0; default 0.6.
+    pub friction: Float,
+}
+
+impl Default for WorldConfig {
+    fn default() -> Self {
+        Self {
+            gravity: vec3(0.0, -10.0, 0.0),
+            solver_steps: 4,
+            rb_separation_force: 1.0,
+            sb_separation_force: 1.0,
+            bounciness: 0.0,
+            friction: 0.6,
+        }
+    }
+}
+
+impl WorldConfig {
+    /// Checks every field.
+    ///
+    /// # Errors
+    /// NotFinite, Range.
+    pub fn validate(&self) -> Result<()> {
+        check::finite_vec("gravity", self.gravity)?;
+        if !(1..=1000).contains(&self.solver_steps) {
+            let sentence = format!("solver_steps is {}; it must be 1 … 1000.", self.solver_steps);
+            return Err(Error::new(ErrorCode::Range, sentence));
+        }
+        check::not_negative("rb_separation_force", self.rb_separation_force)?;
+        check::not_negative("sb_separation_force", self.sb_separation_force)?;
+        check::within("bounciness", self.bounciness, 0.0, 1.0)?;
+        check::not_negative("friction", self.friction)?;
+        Ok(())
+    }
+}
+
+/// What a world remembers of its configuration, its definition aside.
+#[derive(Clone, Debug)]
+pub(crate) struct Settings {
+    pub solver_steps: u32,
+    pub rb_separation_force: Float,
+    pub sb_separation_force: Float,
+    /// Of all shapes made by the builders of bodies.
+    pub material: SurfaceMaterial,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        let config = WorldConfig::default();
+        Self {
+            solver_steps: config.solver_steps as u32,
+            rb_separation_force: config.rb_separation_force,
+            sb_separation_force: config.sb_separation_force,
+            material: SurfaceMaterial::default(),
+        }
+    }
+}
+
+/// Makes a [`World`] step by step. What is not said stays at the default of [`WorldConfig`].
+#[derive(Clone, Debug, Default, PartialEq)]
+#[must_use = "there is no world before `build`"]
+pub struct WorldBuilder {
+    config: WorldConfig,
+}
+
+impl WorldBuilder {
+    /// Begins with the defaults.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    fn checked(config: WorldConfig) -> Result<Self> {
+        config.validate()?;
+        Ok(Self { config })
+    }
+
+    /// Nothing falls.
+    pub fn no_gravity(mut self) -> Self {
+        self.config.gravity = Vec3::zeros();
+        self
+    }
+
+    /// Gravity of this strength \[m/s²\] towards −y.
+    ///
+    /// # Panics
+    /// Where [`try_down_gravity`](Self::try_down_gravity) fails.
+    #[track_caller]
+    pub fn down_gravity(self, gravity: Float) -> Self {
+        expect(self.try_down_gravity(gravity))
+    }
+
+    /// Gravity of this strength \[m/s²\] towards −y.
+    ///
+    /// # Errors
+    /// NotFinite.
+    pub fn try_down_gravity(self, gravity: Float) -> Result<Self> {
+        self.try_gravity(vec3(0.0, -check::finite("gravity", gravity)?, 0.0))
+    }
+
+    /// Any gravity \[m/s²\].
+    ///
+    /// # Panics
+    /// Where [`try_gravity`](Self::try_gravity) fails.
+    #[track_caller]
+    pub fn gravity(self, gravity: Vec3) -> Self {
+        expect(self.try_gravity(gravity))
+    }
+
+    /// Any gravity \[m/s²\].
+    ///
+    /// # Errors
+    /// NotFinite.
+    pub fn try_gravity(self, gravity: Vec3) -> Result<Self> {
+        Self::checked(WorldConfig { gravity, ..self.config })
+    }
+
+    /// Into how many sub-steps the solver divides an update, 1 … 1000.
+    ///
+    /// # Panics
+    /// Where [`try_solver_steps`](Self::try_solver_steps) fails.
+    #[track_caller]
+    pub fn solver_steps(self, solver_steps: usize) -> Self {
+        expect(self.try_solver_steps(solver_steps))
+    }
+
+    /// Into how many sub-steps the solver divides an update, 1 … 1000.
+    ///
+    /// # Errors
+    /// Range: also for 0.
+    pub fn try_solver_steps(self, solver_steps: usize) -> Result<Self> {
+        Self::checked(WorldConfig { solver_steps, ..self.config })
+    }
+
+    /// How fast overlapping rigid bodies push each other apart, ≥ 0 (see [`WorldConfig`]).
+    ///
+    /// # Panics
+    /// Where [`try_rb_separation_force`](Self::try_rb_separation_force) fails.
+    #[track_caller]
+    pub fn rb_separation_force(self, rb_separation_force: Float) -> Self {
+        expect(self.try_rb_separation_force(rb_separation_force))
+    }
+
+    /// How fast overlapping rigid bodies push each other apart, ≥ 0 (see [`WorldConfig`]).
+    ///
+    /// # Errors
+    /// NotFinite, Range.
+    pub fn try_rb_separation_force(self, rb_separation_force: Float) -> Result<Self> {
+        Self::checked(WorldConfig { rb_separation_force, ..self.config })
+    }
+
+    /// How fast a static body pushes out a rigid one that overlaps it, ≥ 0 (see [`WorldConfig`]).
+    ///
+    /// # Panics
+    /// Where [`try_sb_separation_force`](Self::try_sb_separation_force) fails.
+    #[track_caller]
+    pub fn sb_separation_force(self, sb_separation_force: Float) -> Self {
+        expect(self.try_sb_separation_force(sb_separation_force))
+    }
+
+    /// How fast a static body pushes out a rigid one that overlaps it, ≥ 0 (see [`WorldConfig`]).
+    ///
+    /// # Errors
+    /// NotFinite, Range.
+    pub fn try_sb_separation_force(self, sb_separation_force: Float) -> Result<Self> {
+        Self::checked(WorldConfig { sb_separation_force, ..self.config })
+    }
+
+    /// Impacts are perfectly inelastic.
+    pub fn no_bounce(mut self) -> Self {
+        self.config.bounciness = 0.0;
+        self
+    }
+
+    /// Impacts are perfectly elastic.
+    pub fn max_bounce(mut self) -> Self {
+        self.config.bounciness = 1.0;
+        self
+    }
+
+    /// Any coefficient of restitution, 0 … 1.
+    ///
+    /// # Panics
+    /// Where [`try_bounciness`](Self::try_bounciness) fails.
+    #[track_caller]
+    pub fn bounciness(self, bounciness: Float) -> Self {
+        expect(self.try_bounciness(bounciness))
+    }
+
+    /// Any coefficient of restitution, 0 … 1.
+    ///
+    /// # Errors
+    /// NotFinite, Range.
+    pub fn try_bounciness(self, bounciness: Float) -> Result<Self> {
+        Self::checked(WorldConfig { bounciness, ..self.config })
+    }
+
+    /// Everything is slippery.
+    pub fn no_friction(mut self) -> Self {
+        self.config.friction = 0.0;
+        self
+    }
+
+    /// Any coefficient of friction, ≥ 0.
+    ///
+    /// # Panics
+    /// Where [`try_friction`](Self::try_friction) fails.
+    #[track_caller]
+    pub fn friction(self, friction: Float) -> Self {
+        expect(self.try_friction(friction))
+    }
+
+    /// Any coefficient of friction, ≥ 0.
+    ///
+    /// # Errors
+    /// NotFinite, Range.
+    pub fn try_friction(self, friction: Float) -> Result<Self> {
+        Self::checked(WorldConfig { friction, ..self.config })
+    }
+
+    /// Makes the world.
+    ///
+    /// # Panics
+    /// Where [`try_build`](Self::try_build) fails.
+    #[must_use]
+    #[track_caller]
+    pub fn build(self) -> World {
+        expect(self.try_build())
+    }
+
+    /// Makes the world.
+    ///
+    /// # Errors
+    /// None today: every setting was checked when it was given.
+    pub fn try_build(self) -> Result<World> {
+        World::try_new(self.config)
+    }
+}
