@@ -68,6 +68,8 @@ pub struct Contact {
     pub static_friction: Float,
     /// Restitution of the pair.
     pub restitution: Float,
+    /// Radii of the roundings of the two shapes \[m\], see [`crate::shape::Shape::rounding`].
+    pub rounding: [Float; 2],
     /// Lever of the rolling resistance \[m\].
     pub rolling_lever: Float,
     /// Velocity of B's surface against A's as of a conveyor, world axes \[m/s\].
@@ -101,6 +103,7 @@ impl Contact {
             friction: 0.0,
             static_friction: 0.0,
             restitution: 0.0,
+            rounding: [0.0; 2],
             rolling_lever: 0.0,
             conveyor: Vec3::zeros(),
             friction_impulse: Vec3::zeros(),
