@@ -12,9 +12,7 @@ mod step;
 mod view;
 
 pub use collider::Collider;
-pub use def::{
-    BodyDef, BodyType, Filter, MotionLocks, QueryFilter, ShapeDef, SurfaceMaterial, WorldDef,
-};
+pub use def::{BodyDef, BodyType, Filter, MotionLocks, QueryFilter, ShapeDef, SurfaceMaterial, WorldDef};
 pub use id::{BodyId, ContactId, IdPool, Identity, ShapeId};
 pub use query::ShapeHit;
 pub use report::{Counters, Profile, StepReport};
@@ -28,21 +26,19 @@ use crate::body::{BodyStore, MassProps, SetId};
 use crate::broad_phase::{BroadPhase, Layer, PairSet};
 use crate::constraint::{ContactStore, contact::flags};
 use crate::error::{Error, ErrorCode, Result, check};
-use crate::event::{
-    BodyMoveEvent, ContactBeginEvent, ContactEndEvent, ContactHitEvent, Events,
-};
+use crate::event::{BodyMoveEvent, ContactBeginEvent, ContactEndEvent, ContactHitEvent, Events};
 use crate::island::{IslandStore, color::Coloring};
 use crate::math::{Float, Pose, Vec3};
 use crate::shape::{MassData, Shape};
 use crate::solver::soft_step;
 use std::sync::Arc;
 
-/// Decides whether two shapes may collide, asked when their boxes meet.
-pub type CustomFilter = dyn Fn(ShapeId, ShapeId) -> bool + Send + Sync;
-/// Decides whether a contact acts in this step: (A, B, point, normal from A to B).
-pub type PreSolve = dyn Fn(ShapeId, ShapeId, Vec3, Vec3) -> bool + Send + Sync;
-/// Mixes a coefficient of two materials: (value A, material id A, value B, material id B).
-pub type Mixing = dyn Fn(Float, u64, Float, u64) -> Float + Send + Sync;
+/// Decides whether two shapes may collide, asked when their boxes meet: (world, A, B).
+pub type CustomFilter = dyn Fn(&World, ShapeId, ShapeId) -> bool + Send + Sync;
+/// Decides whether a contact acts in this step: (world, A, B, point, normal from A to B).
+pub type PreSolve = dyn Fn(&World, ShapeId, ShapeId, Vec3, Vec3) -> bool + Send + Sync;
+/// Mixes a coefficient of two materials: (world, value A, material id A, value B, material id B).
+pub type Mixing = dyn Fn(&World, Float, u64, Float, u64) -> Float + Send + Sync;
 
 /// What the user wants to be asked.
 #[derive(Clone, Default)]
@@ -221,7 +217,8 @@ impl World {
     /// NotFinite, Range.
     pub fn set_contact_tuning(&mut self, stiffness: Float, damping_ratio: Float, speed: Float) -> Result<()> {
         let mut def = self.def.clone();
-        (def.contact_stiffness, def.contact_damping_ratio, def.contact_speed) = (stiffness, damping_ratio, speed);
+        (def.contact_stiffness, def.contact_damping_ratio, def.contact_speed) =
+            (stiffness, damping_ratio, speed);
         def.validate()?;
         self.def = def;
         Ok(())
@@ -355,7 +352,13 @@ impl World {
     ///
     /// # Errors
     /// Null, foreign or stale id; what [`ShapeDef::validate`] says; a half-space on a body that moves.
-    pub fn create_shape(&mut self, body: BodyId, def: &ShapeDef, shape: Shape, local: Pose) -> Result<ShapeId> {
+    pub fn create_shape(
+        &mut self,
+        body: BodyId,
+        def: &ShapeDef,
+        shape: Shape,
+        local: Pose,
+    ) -> Result<ShapeId> {
         let body_index = self.body_index(body)?;
         def.validate()?;
         let local = check::pose("local pose", &local)?;
