@@ -164,9 +164,7 @@ fn c2_a_sliding_box_stops_where_it_should_whatever_its_heading() {
         }
         println!("C2: distance {:.4} %, heading {:e}°", worst * 100.0, worst_angle.to_degrees());
         assert!(worst <= 4e-3, "distance off by {} %", worst * 100.0);
-        // Turned in f32 it is 0.0011°.
-        let tolerance = if turn == merev::Quat::identity() || size_of::<Float>() == 8 { 1e-3 } else { 2e-3 };
-        assert!(worst_angle.to_degrees() <= tolerance, "heading off by {}°", worst_angle.to_degrees());
+        assert!(worst_angle.to_degrees() <= 1e-3, "heading off by {}°", worst_angle.to_degrees());
     }
 }
 
