@@ -39,10 +39,10 @@ pub fn find<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>>
             }
             let ra = point.r.get(lane);
             let rb = ra + offset.get(lane);
-            // Of a rounded shape only the core turns.
-            let (core_a, core_b) = (ra - n * rounding[0].get(lane), rb + n * rounding[1].get(lane));
-            let moved_a = row_a.dx() + rotate(&row_a.dq(), core_a) - core_a;
-            let moved_b = row_b.dx() + rotate(&row_b.dq(), core_b) - core_b;
+            // The cores of rounded shapes turn, their touching points do not.
+            let (ca, cb) = (ra - n * rounding[0].get(lane), rb + n * rounding[1].get(lane));
+            let moved_a = row_a.dx() + rotate(&row_a.dq(), ca) - ca;
+            let moved_b = row_b.dx() + rotate(&row_b.dq(), cb) - cb;
             let gap = point.separation.get(lane) + n.dot(&(moved_b - moved_a));
             let v = n.dot(&(row_b.v() + row_b.w().cross(&rb) - row_a.v() - row_a.w().cross(&ra)));
             if let Some((mean, end)) = reflect(gap, v, accel, restitution, sub) {
