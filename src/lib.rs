@@ -20,6 +20,8 @@ pub mod island;
 pub mod narrow_phase;
 pub mod solver;
 
+pub mod capi;
+
 pub use error::{Error, ErrorCode, Result};
 pub use math::Aabb as AABB;
 pub use math::{Aabb, Float, Mat3, Pose, Quat, Vec3};

@@ -29,6 +29,7 @@ mod query;
 mod reduce;
 mod sat;
 mod segment;
+mod witness;
 #[cfg(test)]
 mod tests;
 
@@ -40,6 +41,7 @@ pub use contact::{MAX_MANIFOLD_POINTS, Manifold, ManifoldPoint};
 pub use query::{
     DistanceResult, DistanceStatus, MAX_PROXY_POINTS, Proxy, distance, distance_proxy, overlap, overlap_proxy,
 };
+pub use witness::witnesses;
 
 /// How manifolds between bounded shapes are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

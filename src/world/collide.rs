@@ -128,7 +128,7 @@ impl World {
         }
         match &self.callbacks.custom_filter {
             Some(ask) if a.custom_filtering || b.custom_filtering => {
-                ask(self.shape_id(pair[0] as usize), self.shape_id(pair[1] as usize))
+                ask(self, self.shape_id(pair[0] as usize), self.shape_id(pair[1] as usize))
             }
             _ => true,
         }
@@ -255,7 +255,7 @@ impl World {
             if let Some(ask) = &self.callbacks.pre_solve {
                 let point = a.x + a.arm + rotate(&a.q, manifold.points[0].point);
                 let [sa, sb] = contact.shape.map(|s| self.shape_id(s as usize));
-                if !ask(sa, sb, point, normal) {
+                if !ask(self, sa, sb, point, normal) {
                     manifold.count = 0;
                 }
             }
@@ -306,13 +306,13 @@ impl World {
         let (sa, sb) = (ma.resolved_static_friction(), mb.resolved_static_friction());
         (contact.friction, contact.static_friction) = match &self.callbacks.friction {
             Some(mix) => (
-                coefficient(mix(ma.friction, ia, mb.friction, ib), Float::MAX),
-                coefficient(mix(sa, ia, sb, ib), Float::MAX),
+                coefficient(mix(self, ma.friction, ia, mb.friction, ib), Float::MAX),
+                coefficient(mix(self, sa, ia, sb, ib), Float::MAX),
             ),
             None => (root(ma.friction, mb.friction), root(sa, sb)),
         };
         contact.restitution = match &self.callbacks.restitution {
-            Some(mix) => coefficient(mix(ma.restitution, ia, mb.restitution, ib), 1.0),
+            Some(mix) => coefficient(mix(self, ma.restitution, ia, mb.restitution, ib), 1.0),
             None => ma.restitution.max(mb.restitution),
         };
         contact.rolling_lever = (ma.rolling_resistance * a.collider.rolling_radius())

@@ -37,12 +37,12 @@ use crate::shape::{MassData, Shape};
 use crate::solver::soft_step;
 use std::sync::Arc;
 
-/// Decides whether two shapes may collide, asked when their boxes meet.
-pub type CustomFilter = dyn Fn(ShapeId, ShapeId) -> bool + Send + Sync;
-/// Decides whether a contact acts in this step: (A, B, point, normal from A to B).
-pub type PreSolve = dyn Fn(ShapeId, ShapeId, Vec3, Vec3) -> bool + Send + Sync;
-/// Mixes a coefficient of two materials: (value A, material id A, value B, material id B).
-pub type Mixing = dyn Fn(Float, u64, Float, u64) -> Float + Send + Sync;
+/// Decides whether two shapes may collide, asked when their boxes meet: (world, A, B).
+pub type CustomFilter = dyn Fn(&World, ShapeId, ShapeId) -> bool + Send + Sync;
+/// Decides whether a contact acts in this step: (world, A, B, point, normal from A to B).
+pub type PreSolve = dyn Fn(&World, ShapeId, ShapeId, Vec3, Vec3) -> bool + Send + Sync;
+/// Mixes a coefficient of two materials: (world, value A, material id A, value B, material id B).
+pub type Mixing = dyn Fn(&World, Float, u64, Float, u64) -> Float + Send + Sync;
 
 /// What the user wants to be asked.
 #[derive(Clone, Default)]

@@ -1,1 +1,28 @@
-fn main() {}
+//! Chores of the repository: `cargo run -p xtask -- header [--check]`.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+mod header;
+
+fn main() -> ExitCode {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let args: Vec<&str> = args.iter().map(String::as_str).collect();
+    let done = match args[..] {
+        ["header"] => header::write(),
+        ["header", "--check"] => header::check(),
+        _ => Err("usage: xtask header [--check]".into()),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(e) => {
+            eprintln!("{e}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// The root of the repository.
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
+}

@@ -1,0 +1,110 @@
+//! Choices among several ways, and their names.
+
+use super::def::*;
+use super::guard::call;
+use crate::broad_phase::BroadPhaseKind;
+use crate::error::Result;
+use crate::narrow_phase::NarrowPhaseKind;
+use crate::solver::SolverKind;
+use core::ffi::{CStr, c_char};
+
+/// Soft contacts, sub-steps instead of iterations.
+pub const mv_solver_softStep: mvSolverKind = 1;
+/// All pairs are looked at: slow, simple, a yardstick.
+pub const mv_broadPhase_bruteForce: mvBroadPhaseKind = 1;
+/// Trees of boxes that follow the motion.
+pub const mv_broadPhase_dynamicBvh: mvBroadPhaseKind = 2;
+/// Closed forms and separating axes.
+pub const mv_narrowPhase_specialised: mvNarrowPhaseKind = 1;
+/// Iterative distance and penetration: a cross-check by another way.
+pub const mv_narrowPhase_gjkEpa: mvNarrowPhaseKind = 2;
+
+// The numbers of the header are those of the engine.
+const _: () = {
+    assert!(mv_solver_softStep == SolverKind::SoftStep as i32);
+    assert!(mv_broadPhase_bruteForce == BroadPhaseKind::BruteForce as i32);
+    assert!(mv_broadPhase_dynamicBvh == BroadPhaseKind::DynamicBvh as i32);
+    assert!(mv_narrowPhase_specialised == NarrowPhaseKind::Specialised as i32);
+    assert!(mv_narrowPhase_gjkEpa == NarrowPhaseKind::GjkEpa as i32);
+};
+
+/// Get the name of a solver.
+///
+/// @return a constant, null for a number that is none of the constants
+/// @note Errors: mv_errorRange.
+#[unsafe(no_mangle)]
+pub extern "C" fn mvGetSolverKindName(kind: mvSolverKind) -> *const c_char {
+    call(|| Ok(constant(solver(kind)?.name())))
+}
+
+/// Get the name of an integrator.
+///
+/// @return a constant, null for a number that is none of the constants
+/// @note Errors: mv_errorRange.
+#[unsafe(no_mangle)]
+pub extern "C" fn mvGetIntegratorKindName(kind: mvIntegratorKind) -> *const c_char {
+    call(|| choice("kind", kind, &[mv_integrator_auto], |k| k).map(|_| constant("auto")))
+}
+
+/// Get the name of a broad phase.
+///
+/// @return a constant, null for a number that is none of the constants
+/// @note Errors: mv_errorRange.
+#[unsafe(no_mangle)]
+pub extern "C" fn mvGetBroadPhaseKindName(kind: mvBroadPhaseKind) -> *const c_char {
+    call(|| Ok(constant(broad_phase(kind)?.name())))
+}
+
+/// Get the name of a narrow phase.
+///
+/// @return a constant, null for a number that is none of the constants
+/// @note Errors: mv_errorRange.
+#[unsafe(no_mangle)]
+pub extern "C" fn mvGetNarrowPhaseKindName(kind: mvNarrowPhaseKind) -> *const c_char {
+    call(|| Ok(constant(narrow_phase(kind)?.name())))
+}
+
+/// Get the name of a choice of contact points.
+///
+/// @return a constant, null for a number that is none of the constants
+/// @note Errors: mv_errorRange.
+#[unsafe(no_mangle)]
+pub extern "C" fn mvGetManifoldKindName(kind: mvManifoldKind) -> *const c_char {
+    call(|| choice("kind", kind, &[mv_manifold_auto], |k| k).map(|_| constant("auto")))
+}
+
+pub(super) fn solver(kind: mvSolverKind) -> Result<SolverKind> {
+    choice("solver", kind, &[SolverKind::Auto, SolverKind::SoftStep], |k| k as i32)
+}
+
+pub(super) fn broad_phase(kind: mvBroadPhaseKind) -> Result<BroadPhaseKind> {
+    let all = [BroadPhaseKind::Auto, BroadPhaseKind::BruteForce, BroadPhaseKind::DynamicBvh];
+    choice("broadPhase", kind, &all, |k| k as i32)
+}
+
+pub(super) fn narrow_phase(kind: mvNarrowPhaseKind) -> Result<NarrowPhaseKind> {
+    choice("narrowPhase", kind, &NarrowPhaseKind::ALL, |k| k as i32)
+}
+
+/// The engine's name as a C constant.
+fn constant(name: &str) -> *const c_char {
+    const NAMES: [&CStr; 6] = [c"auto", c"soft_step", c"brute_force", c"dynamic_bvh", c"specialised", c"gjk-epa"];
+    NAMES.iter().find(|n| n.to_bytes() == name.as_bytes()).map_or(c"unnamed".as_ptr(), |n| n.as_ptr())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kind_of_the_engine_has_a_number_and_a_name() {
+        let named = |p: *const c_char| {
+            assert!(!p.is_null());
+            // Sound: a constant.
+            assert_ne!(unsafe { CStr::from_ptr(p) }, c"unnamed");
+        };
+        SolverKind::ALL.iter().for_each(|&k| named(mvGetSolverKindName(k as i32)));
+        BroadPhaseKind::ALL.iter().for_each(|&k| named(mvGetBroadPhaseKindName(k as i32)));
+        NarrowPhaseKind::ALL.iter().for_each(|&k| named(mvGetNarrowPhaseKindName(k as i32)));
+    }
+}

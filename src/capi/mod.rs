@@ -1,0 +1,77 @@
+//! The C library: what `include/merev.h` declares.
+//!
+//! Every exported function is a thin shell: guard → look up → one call of the engine → convert. The guard turns
+//! errors and panics into a code and a sentence for the calling thread ([`error`]); the look-up finds a world
+//! and takes its lock without ever waiting ([`registry`]). Names are those of C, so that what the header
+//! declares can be found here by searching for it. The header is made from these files by cbindgen (`xtask
+//! header`); doc comments go into it word for word, so they speak to C programmers.
+//!
+//! This is the only room, besides `simd` and one file of `parallel`, that contains `unsafe`. What C can pass by
+//! value is any bit pattern, so structs hold numbers, pointers and bytes only: booleans and enumerations are
+//! checked before they become Rust's.
+#![allow(non_camel_case_types, non_upper_case_globals, non_snake_case)]
+// C's rules for pointers are in the header; a section for Rust callers would end up there too.
+#![allow(clippy::missing_safety_doc)]
+#![allow(missing_docs)]
+
+mod base;
+mod body;
+mod body_mass;
+mod body_motion;
+mod body_query;
+mod bulk;
+mod callback;
+mod collide;
+mod contact;
+mod def;
+mod distance;
+mod error;
+mod event;
+mod geometry;
+mod guard;
+mod hull;
+mod hull_data;
+mod id;
+mod kind;
+mod math;
+mod math_fcn;
+mod query;
+mod registry;
+mod shape;
+mod shape_data;
+mod shape_surface;
+mod side;
+mod world;
+mod world_tuning;
+
+pub use crate::math::Float as mvFloat;
+
+/// A byte that C calls bool. From C it may have any value, so it is checked before it becomes Rust's.
+/// cbindgen:ignore
+pub type Flag = u8;
+
+pub use base::*;
+pub use body::*;
+pub use body_mass::*;
+pub use body_motion::*;
+pub use body_query::*;
+pub use bulk::*;
+pub use collide::*;
+pub use contact::*;
+pub use def::*;
+pub use distance::*;
+pub use error::*;
+pub use event::*;
+pub use geometry::*;
+pub use hull::*;
+pub use hull_data::*;
+pub use id::*;
+pub use kind::*;
+pub use math::*;
+pub use math_fcn::*;
+pub use query::*;
+pub use shape::*;
+pub use shape_data::*;
+pub use shape_surface::*;
+pub use world::*;
+pub use world_tuning::*;
