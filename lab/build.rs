@@ -4,9 +4,28 @@ use std::path::PathBuf;
 
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");
+    build_programs();
     if std::env::var_os("CARGO_FEATURE_PEERS").is_some() {
         build_box3d();
     }
+}
+
+/// The programs in `c`, against the library's header. They find the library itself in the merev crate.
+fn build_programs() {
+    let include = PathBuf::from("../include");
+    for path in ["c/lab.h", "../include/merev.h"] {
+        println!("cargo:rerun-if-changed={path}");
+    }
+    let mut build = cc::Build::new();
+    for name in ["step", "bouncing_ball", "pyramid"] {
+        let file = format!("c/{name}.c");
+        println!("cargo:rerun-if-changed={file}");
+        build.file(file);
+    }
+    if std::env::var_os("CARGO_FEATURE_F64").is_some() {
+        build.define("MV_DOUBLE_PRECISION", None);
+    }
+    build.include(include).std("c99").extra_warnings(true).compile("lab_programs");
 }
 
 /// Box3D's C sources, as its own release build compiles them: -O3, without assertions, SIMD as it chooses.
@@ -37,7 +56,8 @@ fn build_box3d() {
 fn crate_root(name: &str) -> PathBuf {
     let cargo = std::env::var_os("CARGO").expect("CARGO");
     let output = std::process::Command::new(cargo)
-        .args(["metadata", "--format-version=1", "--offline", "--features=peers"])
+        .args(["metadata", "--format-version=1", "--features=peers", "--filter-platform"])
+        .arg(std::env::var("TARGET").expect("TARGET"))
         .output()
         .expect("cargo metadata");
     assert!(output.status.success(), "cargo metadata: {}", String::from_utf8_lossy(&output.stderr));

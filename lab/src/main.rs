@@ -1,17 +1,21 @@
 //! The lab of merev: scenes, measurements and replay pages.
 
+mod bounce;
 mod engines;
+mod programs;
 mod progress;
 mod race;
 mod scene;
 mod scenes;
 mod table;
+mod tour;
 
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// Scenes, measurements and replay pages for merev.
+/// Scenes, measurements and replay pages for merev. Without a command: runs a bouncing ball and pyramids through
+/// the C interface, prints what they cost and how exact they are, and writes a page that replays them.
 #[derive(Parser)]
 #[command(name = "merev", version, about)]
 struct Arguments {
@@ -54,7 +58,8 @@ fn main() -> ExitCode {
 
 fn run(arguments: Arguments) -> Result<(), String> {
     match arguments.command {
-        None | Some(Command::List) => {
+        None => tour::run(),
+        Some(Command::List) => {
             list();
             Ok(())
         }

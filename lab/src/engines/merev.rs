@@ -25,6 +25,11 @@ fn turn(q: [f32; 4]) -> Quat {
     Quat::new_unchecked(quaternion)
 }
 
+#[allow(clippy::unnecessary_cast, reason = "Float may be f64")]
+fn narrow(x: Float) -> f32 {
+    x as f32
+}
+
 impl Merev {
     pub fn new(scene: &Scene) -> Self {
         let mut def =
@@ -58,8 +63,11 @@ impl Merev {
                 ..ShapeDef::default()
             };
             let shape = match body.form {
-                Form::Box([x, y, z]) => Shape::new_box(2.0 * x, 2.0 * y, 2.0 * z),
-                Form::Sphere(radius) => Shape::new_sphere(2.0 * radius),
+                Form::Box(half) => {
+                    let full = vector(half) * 2.0;
+                    Shape::new_box(full.x, full.y, full.z)
+                }
+                Form::Sphere(radius) => Shape::new_sphere(2.0 * Float::from(radius)),
                 Form::Hull(k) => hulls[k].clone(),
             };
             let (id, _) = world.create_body_with_shape(&def, &surface, shape).expect("the scene's body");
@@ -67,7 +75,7 @@ impl Merev {
                 bodies.push(id);
             }
         }
-        Self { world, bodies, dt: scene.dt as Float, sub_steps: scene.sub_steps }
+        Self { world, bodies, dt: Float::from(scene.dt), sub_steps: scene.sub_steps }
     }
 
     /// Energy, momentum and overlap of a scene whose dynamic bodies are there, whichever engine moved them: one
@@ -103,10 +111,10 @@ impl Engine for Merev {
             let Pose { p, q } = body.transform();
             let (v, w) = (body.linear_velocity(), body.angular_velocity());
             Motion {
-                position: [p.x, p.y, p.z].map(|x| x as f32),
-                rotation: [q.i, q.j, q.k, q.w].map(|x| x as f32),
-                velocity: [v.x, v.y, v.z].map(|x| x as f32),
-                spin: [w.x, w.y, w.z].map(|x| x as f32),
+                position: [p.x, p.y, p.z].map(narrow),
+                rotation: [q.i, q.j, q.k, q.w].map(narrow),
+                velocity: [v.x, v.y, v.z].map(narrow),
+                spin: [w.x, w.y, w.z].map(narrow),
             }
         }));
     }
