@@ -6,7 +6,9 @@ use super::id::mvShapeId;
 use super::math::{IDENTITY, ORIGIN, ZERO3, mvPos, mvQuat, mvVec3};
 use super::{Flag, MV_ABI_REVISION, mvFloat};
 use crate::error::{Error, ErrorCode, Result};
-use crate::world::{BodyDef, BodyType, Filter, MotionLocks, QueryFilter, ShapeDef, SurfaceMaterial, WorldDef};
+use crate::world::{
+    BodyDef, BodyType, Filter, MotionLocks, QueryFilter, ShapeDef, SurfaceMaterial, WorldDef,
+};
 use core::ffi::{c_char, c_int, c_void};
 use std::mem::size_of;
 
@@ -413,7 +415,10 @@ pub(super) fn flag(name: &str, byte: Flag) -> Result<bool> {
 pub(super) fn choice<T: Copy>(name: &str, value: i32, all: &[T], number: impl Fn(T) -> i32) -> Result<T> {
     let found = all.iter().copied().find(|&k| number(k) == value);
     found.ok_or_else(|| {
-        Error::new(ErrorCode::Range, format!("{name} is {value}; it must be one of the constants of its type."))
+        Error::new(
+            ErrorCode::Range,
+            format!("{name} is {value}; it must be one of the constants of its type."),
+        )
     })
 }
 

@@ -135,7 +135,8 @@ pub struct mvShapeCastPairInput {
     pub can_encroach: Flag,
 }
 
-const NO_VERTEX: mvSimplexVertex = mvSimplexVertex { w_a: ZERO3, w_b: ZERO3, w: ZERO3, index_a: 0, index_b: 0 };
+const NO_VERTEX: mvSimplexVertex =
+    mvSimplexVertex { w_a: ZERO3, w_b: ZERO3, w: ZERO3, index_a: 0, index_b: 0 };
 
 neutral! {
     mvDistanceOutput = mvDistanceOutput {
@@ -404,7 +405,10 @@ unsafe fn cast(shape: &Shape, local: &Pose, input: Option<&mvShapeCastInput>) ->
 
 pub(super) fn no_encroaching(can_encroach: Flag) -> Result<()> {
     if flag("canEncroach", can_encroach)? {
-        return Err(Error::new(ErrorCode::Unsupported, "Encroaching is not built yet: canEncroach must be false."));
+        return Err(Error::new(
+            ErrorCode::Unsupported,
+            "Encroaching is not built yet: canEncroach must be false.",
+        ));
     }
     Ok(())
 }

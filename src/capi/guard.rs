@@ -114,7 +114,8 @@ pub(super) fn needed<T>(what: &str, value: Option<T>) -> Result<T> {
 
 /// A count that must not be negative.
 pub(super) fn count(what: &str, n: core::ffi::c_int) -> Result<usize> {
-    usize::try_from(n).map_err(|_| Error::new(ErrorCode::Range, format!("{what} is {n}; it must not be negative.")))
+    usize::try_from(n)
+        .map_err(|_| Error::new(ErrorCode::Range, format!("{what} is {n}; it must not be negative.")))
 }
 
 /// A count as C sees it.
@@ -161,13 +162,19 @@ fn check_array<T>(what: &str, data: *const T) -> Result<()> {
     }
     if !data.is_aligned() {
         let need = align_of::<T>();
-        return Err(Error::new(ErrorCode::Range, format!("The array of {what} is not aligned to {need} bytes.")));
+        return Err(Error::new(
+            ErrorCode::Range,
+            format!("The array of {what} is not aligned to {need} bytes."),
+        ));
     }
     Ok(())
 }
 
 /// Writes as many of `values` as there is room for; returns how many there are in all.
-pub(super) fn fill<T>(room: &mut [std::mem::MaybeUninit<T>], values: impl Iterator<Item = T>) -> core::ffi::c_int {
+pub(super) fn fill<T>(
+    room: &mut [std::mem::MaybeUninit<T>],
+    values: impl Iterator<Item = T>,
+) -> core::ffi::c_int {
     let mut total = 0;
     for value in values {
         if let Some(place) = room.get_mut(total) {

@@ -341,7 +341,8 @@ pub unsafe extern "C" fn mvWorld_CastShapeClosest(
     read_world(world_id, |v| {
         // Sound: the caller passes a proxy with as many points as it says.
         let cloud = unsafe { given(proxy) }?;
-        let hit = v.world.cast_shape_closest(&cloud.proxy()?, origin.raw(), translation.raw(), filter.raw())?;
+        let hit =
+            v.world.cast_shape_closest(&cloud.proxy()?, origin.raw(), translation.raw(), filter.raw())?;
         Ok(hit.map_or(mvRayResult::NEUTRAL, Into::into))
     })
 }

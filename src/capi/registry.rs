@@ -93,7 +93,8 @@ fn place(index: usize) -> Option<&'static Place> {
 }
 
 fn block(index: usize) -> &'static OnceLock<Box<[Place]>> {
-    static BLOCKS: [OnceLock<Box<[Place]>>; PLACES / BLOCK + 1] = [const { OnceLock::new() }; PLACES / BLOCK + 1];
+    static BLOCKS: [OnceLock<Box<[Place]>>; PLACES / BLOCK + 1] =
+        [const { OnceLock::new() }; PLACES / BLOCK + 1];
     &BLOCKS[index / BLOCK]
 }
 
@@ -168,7 +169,9 @@ impl Target {
     }
 
     fn place(self) -> Result<&'static Place> {
-        place(self.index).filter(|p| self.index < PLACES && p.holds(self.generation)).ok_or_else(|| gone(self.what))
+        place(self.index)
+            .filter(|p| self.index < PLACES && p.holds(self.generation))
+            .ok_or_else(|| gone(self.what))
     }
 }
 
@@ -225,7 +228,10 @@ fn read_inside<R>(target: Target, place: &Place, f: impl FnOnce(View<'_>) -> Res
 }
 
 fn locked() -> Error {
-    Error::new(ErrorCode::Locked, "The world is inside a step or a query of this thread: callbacks must not change it.")
+    Error::new(
+        ErrorCode::Locked,
+        "The world is inside a step or a query of this thread: callbacks must not change it.",
+    )
 }
 
 fn write<R>(target: Target, f: impl FnOnce(Edit<'_>) -> Result<R>) -> Result<R> {
@@ -384,7 +390,10 @@ pub(super) fn read_shape<R: Neutral>(id: mvShapeId, f: impl FnOnce(ColliderRef<'
     call(|| read(Target::of(id.index1, id.world0, "shape")?, |v| f(v.world.shape(id.into())?)))
 }
 
-pub(super) fn view_shape<R: Neutral>(id: mvShapeId, f: impl FnOnce(View<'_>, ColliderRef<'_>) -> Result<R>) -> R {
+pub(super) fn view_shape<R: Neutral>(
+    id: mvShapeId,
+    f: impl FnOnce(View<'_>, ColliderRef<'_>) -> Result<R>,
+) -> R {
     call(|| read(Target::of(id.index1, id.world0, "shape")?, |v| f(v, v.world.shape(id.into())?)))
 }
 
@@ -398,12 +407,16 @@ pub(super) fn edit_at_shape<R: Neutral>(id: mvShapeId, f: impl FnOnce(Edit<'_>) 
 
 /// Whether the body lives; false also when nobody may look now.
 pub(super) fn is_body(id: mvBodyId) -> bool {
-    Target::of(id.index1, id.world0, "body").and_then(|t| read(t, |v| v.world.body(id.into()).map(|_| ()))).is_ok()
+    Target::of(id.index1, id.world0, "body")
+        .and_then(|t| read(t, |v| v.world.body(id.into()).map(|_| ())))
+        .is_ok()
 }
 
 /// Whether the shape lives; false also when nobody may look now.
 pub(super) fn is_shape(id: mvShapeId) -> bool {
-    Target::of(id.index1, id.world0, "shape").and_then(|t| read(t, |v| v.world.shape(id.into()).map(|_| ()))).is_ok()
+    Target::of(id.index1, id.world0, "shape")
+        .and_then(|t| read(t, |v| v.world.shape(id.into()).map(|_| ())))
+        .is_ok()
 }
 
 /// Whether the contact's world can be read now and says so.

@@ -36,7 +36,11 @@ pub const mv_planeShape: mvShapeType = 6;
 /// @return the shape; null for bad arguments
 /// @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn mvCreateSphereShape(body_id: mvBodyId, def: Option<&mvShapeDef>, sphere: Option<&mvSphere>) -> mvShapeId {
+pub unsafe extern "C" fn mvCreateSphereShape(
+    body_id: mvBodyId,
+    def: Option<&mvShapeDef>,
+    sphere: Option<&mvSphere>,
+) -> mvShapeId {
     attach(body_id, def, || {
         let sphere = needed("The sphere", sphere)?.solid()?;
         Ok((Shape::Sphere(sphere), Pose::IDENTITY))
@@ -51,7 +55,11 @@ pub unsafe extern "C" fn mvCreateSphereShape(body_id: mvBodyId, def: Option<&mvS
 /// @return the shape; null for bad arguments
 /// @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn mvCreateCapsuleShape(body_id: mvBodyId, def: Option<&mvShapeDef>, capsule: Option<&mvCapsule>) -> mvShapeId {
+pub unsafe extern "C" fn mvCreateCapsuleShape(
+    body_id: mvBodyId,
+    def: Option<&mvShapeDef>,
+    capsule: Option<&mvCapsule>,
+) -> mvShapeId {
     attach(body_id, def, || {
         let capsule = needed("The capsule", capsule)?.solid()?;
         Ok((Shape::Capsule(capsule), Pose::IDENTITY))
@@ -66,7 +74,11 @@ pub unsafe extern "C" fn mvCreateCapsuleShape(body_id: mvBodyId, def: Option<&mv
 /// @return the shape; null for bad arguments
 /// @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn mvCreateHullShape(body_id: mvBodyId, def: Option<&mvShapeDef>, hull: *const mvHullData) -> mvShapeId {
+pub unsafe extern "C" fn mvCreateHullShape(
+    body_id: mvBodyId,
+    def: Option<&mvShapeDef>,
+    hull: *const mvHullData,
+) -> mvShapeId {
     attach(body_id, def, || {
         // Sound: the caller passes a hull.
         unsafe { solid(hull) }
@@ -83,7 +95,13 @@ pub unsafe extern "C" fn mvCreateHullShape(body_id: mvBodyId, def: Option<&mvSha
 /// @return the shape; null for bad arguments
 /// @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn mvCreateTransformedHullShape(body_id: mvBodyId, def: Option<&mvShapeDef>, hull: *const mvHullData, transform: mvTransform, scale: mvVec3) -> mvShapeId {
+pub unsafe extern "C" fn mvCreateTransformedHullShape(
+    body_id: mvBodyId,
+    def: Option<&mvShapeDef>,
+    hull: *const mvHullData,
+    transform: mvTransform,
+    scale: mvVec3,
+) -> mvShapeId {
     attach(body_id, def, || {
         // Sound: the caller passes a hull.
         let (head, words) = unsafe { checked(hull) }?;
@@ -102,10 +120,14 @@ pub unsafe extern "C" fn mvCreateTransformedHullShape(body_id: mvBodyId, def: Op
 /// @return the shape; null for bad arguments
 /// @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn mvCreateBoxShape(body_id: mvBodyId, def: Option<&mvShapeDef>, hx: mvFloat, hy: mvFloat, hz: mvFloat) -> mvShapeId {
-    attach(body_id, def, || {
-        Ok((Shape::Box(Cuboid::new(vec3(hx, hy, hz))?), Pose::IDENTITY))
-    })
+pub unsafe extern "C" fn mvCreateBoxShape(
+    body_id: mvBodyId,
+    def: Option<&mvShapeDef>,
+    hx: mvFloat,
+    hy: mvFloat,
+    hz: mvFloat,
+) -> mvShapeId {
+    attach(body_id, def, || Ok((Shape::Box(Cuboid::new(vec3(hx, hy, hz))?), Pose::IDENTITY)))
 }
 
 /// Attach everything below a plane to a static body: a floor without end.
@@ -117,7 +139,11 @@ pub unsafe extern "C" fn mvCreateBoxShape(body_id: mvBodyId, def: Option<&mvShap
 /// @return the shape; null for bad arguments
 /// @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate; mv_errorRange also for a body that is not static.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn mvCreatePlaneShape(body_id: mvBodyId, def: Option<&mvShapeDef>, plane: Option<&mvPlane>) -> mvShapeId {
+pub unsafe extern "C" fn mvCreatePlaneShape(
+    body_id: mvBodyId,
+    def: Option<&mvShapeDef>,
+    plane: Option<&mvPlane>,
+) -> mvShapeId {
     attach(body_id, def, || {
         let plane = needed("The plane", plane)?;
         Ok((Shape::HalfSpace(HalfSpace::new(plane.normal.raw(), plane.offset)?), Pose::IDENTITY))

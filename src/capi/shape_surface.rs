@@ -189,15 +189,21 @@ pub extern "C" fn mvShape_AreHitEventsEnabled(shape_id: mvShapeId) -> bool {
 /// @return the hit, in the world; no hit for bad arguments
 /// @note Errors: mv_errorNotFinite, mv_errorRange.
 #[unsafe(no_mangle)]
-pub extern "C" fn mvShape_RayCast(shape_id: mvShapeId, origin: mvPos, translation: mvVec3) -> mvWorldCastOutput {
+pub extern "C" fn mvShape_RayCast(
+    shape_id: mvShapeId,
+    origin: mvPos,
+    translation: mvVec3,
+) -> mvWorldCastOutput {
     read_shape(shape_id, |s| {
         let hit = s.ray_cast(origin.raw(), translation.raw())?;
-        Ok(hit.filter(|h| h.normal != Vec3::zeros()).map_or(mvWorldCastOutput::NEUTRAL, |h| mvWorldCastOutput {
-            normal: h.normal.into(),
-            point: h.point.into(),
-            fraction: h.fraction,
-            iterations: 0,
-            hit: true,
+        Ok(hit.filter(|h| h.normal != Vec3::zeros()).map_or(mvWorldCastOutput::NEUTRAL, |h| {
+            mvWorldCastOutput {
+                normal: h.normal.into(),
+                point: h.point.into(),
+                fraction: h.fraction,
+                iterations: 0,
+                hit: true,
+            }
         }))
     })
 }

@@ -193,7 +193,8 @@ pub const ACTS: &[Act] = &[
             5 => mvBody_Disable(b),
             6 | 7 => mvBody_Enable(b),
             8 => {
-                let [linear_x, linear_y, linear_z, angular_x, angular_y, angular_z] = [0; 6].map(|_: u8| s.r.flag());
+                let [linear_x, linear_y, linear_z, angular_x, angular_y, angular_z] =
+                    [0; 6].map(|_: u8| s.r.flag());
                 let locks = mvMotionLocks { linear_x, linear_y, linear_z, angular_x, angular_y, angular_z };
                 mvBody_SetMotionLocks(b, locks);
             }
@@ -448,11 +449,13 @@ pub const ACTS: &[Act] = &[
     ("distance", |s| {
         let (ball, pill, hull, t, v) = (sphere(s), capsule(s), s.hull(), s.r.transform(), s.r.vec());
         let points = [s.r.vec(), s.r.vec(), s.r.vec()];
-        let mine = mvShapeProxy { points: points.as_ptr(), count: 1 + s.r.below(3) as c_int, radius: s.r.size() };
+        let mine =
+            mvShapeProxy { points: points.as_ptr(), count: 1 + s.r.below(3) as c_int, radius: s.r.size() };
         with_proxy(s, |s, proxy| {
             let other = *proxy.unwrap_or(&mine);
             let most = s.r.size();
-            let input = mvDistanceInput { proxy_a: mine, proxy_b: other, transform: t, use_radii: s.r.flag() };
+            let input =
+                mvDistanceInput { proxy_a: mine, proxy_b: other, transform: t, use_radii: s.r.flag() };
             let cast = mvShapeCastInput { proxy: other, translation: v, max_fraction: most, can_encroach: 0 };
             let pair = mvShapeCastPairInput {
                 proxy_a: mine,
