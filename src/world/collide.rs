@@ -323,6 +323,7 @@ impl World {
             Some(mix) => coefficient(mix(self, ma.restitution, ia, mb.restitution, ib), 1.0),
             None => ma.restitution.max(mb.restitution),
         };
+        contact.rounding = [a.collider.rounding(), b.collider.rounding()];
         contact.rolling_lever = (ma.rolling_resistance * a.collider.rolling_radius())
             .max(mb.rolling_resistance * b.collider.rolling_radius());
         contact.conveyor = if ma.tangent_velocity == Vec3::zeros() && mb.tangent_velocity == Vec3::zeros() {
