@@ -40,7 +40,7 @@ pub fn exact_energy(time: f64) -> f64 {
 pub struct Hit {
     /// [s]
     pub time: f64,
-    /// Approach speed [m/s].
+    /// Speed at which it leaves [m/s].
     pub speed: f64,
 }
 
@@ -55,7 +55,7 @@ pub fn hits(frames: &[Frame]) -> Vec<Hit> {
             let speed = measures.momentum[1] / MASS;
             let under_root = (speed * speed + 2.0 * GRAVITY * height).max(0.0);
             let since = (under_root.sqrt() - speed) / GRAVITY;
-            hits.push(Hit { time: frame.time - since, speed: frame.hit_speed });
+            hits.push(Hit { time: frame.time - since, speed: under_root.sqrt() });
         }
     }
     hits
@@ -93,7 +93,7 @@ mod tests {
         let frame = Frame {
             time: 1.0,
             elapsed: 0.0,
-            hit_speed: speed / RESTITUTION,
+            hit_speed: 1.0,
             measures: Some(Measures {
                 energy: 0.0,
                 momentum: [0.0, MASS * (speed - GRAVITY * since), 0.0],
@@ -103,6 +103,7 @@ mod tests {
         };
         let found = hits(&[frame]);
         assert!((found[0].time - (1.0 - since)).abs() < 1e-6, "{found:?}");
+        assert!((found[0].speed - speed).abs() < 1e-6, "{found:?}");
     }
 
     #[test]

@@ -5,6 +5,7 @@ mod engines;
 mod programs;
 mod progress;
 mod race;
+mod replay;
 mod scene;
 mod scenes;
 mod table;

@@ -70,7 +70,13 @@ pub fn milliseconds(ms: f64) -> String {
 
 /// A share in percent, or in scientific notation where it is small.
 pub fn share(x: f64) -> String {
-    if x != 0.0 && x.abs() < 1e-4 { format!("{x:+.1e}") } else { format!("{:+.3} %", 100.0 * x) }
+    if x == 0.0 {
+        "0".into()
+    } else if x.abs() < 1e-4 {
+        format!("{x:+.1e}")
+    } else {
+        format!("{:+.3} %", 100.0 * x)
+    }
 }
 
 #[cfg(test)]

@@ -2,10 +2,12 @@
 //! replay page.
 
 use crate::bounce;
-use crate::programs::{self, Frame, PyramidRun};
+use crate::programs::{self, Frame, Pose, PyramidRun};
 use crate::progress;
 use crate::race::median;
+use crate::replay::{self, Color, Look, Recording};
 use crate::table::{Table, length, milliseconds, share};
+use std::path::{Path, PathBuf};
 
 /// Steps of the ball: 20 s.
 const BALL_STEPS: usize = 2000;
@@ -30,6 +32,8 @@ pub fn run() -> Result<(), String> {
     print!("{}", hit_table(&outcome.ball));
     println!();
     print!("{}", summary(&outcome));
+    let path = write_replay(&outcome)?;
+    println!("\nreplay: {}", path.display());
     Ok(())
 }
 
@@ -54,7 +58,7 @@ fn hit_table(frames: &[Frame]) -> String {
     let head = ["hit", "exact [s]", "measured [s]", "error [ms]", "speed, exact", "measured [m/s]"];
     let mut table = Table::new(&[&head[..], &["|"], &head[..]].concat());
     let cells = |k: usize| {
-        let (time, speed) = (bounce::exact_time(k), bounce::exact_speed(k));
+        let (time, speed) = (bounce::exact_time(k), bounce::exact_speed(k + 1));
         let hit = seen[k];
         [
             k.to_string(),
@@ -74,14 +78,17 @@ fn hit_table(frames: &[Frame]) -> String {
         }
         table.row(row);
     }
-    let worst = (0..distinct).map(|k| (seen[k].time - bounce::exact_time(k)).abs()).fold(0.0, f64::max);
+    let worst = |range: std::ops::Range<usize>| {
+        1e3 * range.map(|k| (seen[k].time - bounce::exact_time(k)).abs()).fold(0.0, f64::max)
+    };
     let rest = frames.iter().rev().find(|f| f.hit_speed > 0.0).map_or(0.0, |f| f.time);
     format!(
         "A ball falls {} m, restitution {}, steps of {dt} s: every hit until hits come faster than steps.\n\n{table}\n\
-         worst error {:.3} ms; exact end of all bouncing {:.3} s, last hit in the step that ends at {rest:.2} s\n",
+         worst error {:.3} ms, of the first ten hits {:.3} ms; exact end of all bouncing {:.3} s, last hit in the step that ends at {rest:.2} s\n",
         bounce::FALL,
         bounce::RESTITUTION,
-        1e3 * worst,
+        worst(0..distinct),
+        worst(0..distinct.min(10)),
         bounce::exact_end(),
     )
 }
@@ -162,4 +169,80 @@ fn pyramid_drift(frames: &[Frame], rows: usize) -> (f64, f64) {
         momentum = momentum.max(size / weight);
     }
     (energy, momentum)
+}
+
+const ORANGE: Color = [0.86, 0.22, 0.05];
+const SLATE: Color = [0.17, 0.22, 0.30];
+const UPRIGHT: [f32; 4] = [0.0, 0.0, 0.0, 1.0];
+
+fn at(x: f32, y: f32, z: f32) -> Pose {
+    let [i, j, k, w] = UPRIGHT;
+    [x, y, z, i, j, k, w]
+}
+
+/// Writes the page into the target folder and gives its path.
+fn write_replay(outcome: &Outcome) -> Result<PathBuf, String> {
+    let page = replay::page(&[ball_recording(&outcome.ball), pyramid_recording(&outcome.small)]);
+    let target = std::env::var_os("CARGO_TARGET_DIR")
+        .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../target"), PathBuf::from);
+    let path = target.join("merev").join("replay.html");
+    let write = || -> std::io::Result<PathBuf> {
+        std::fs::create_dir_all(target.join("merev"))?;
+        std::fs::write(&path, page)?;
+        path.canonicalize()
+    };
+    write().map_err(|e| format!("{} is not written: {e}", path.display()))
+}
+
+fn ball_recording(frames: &[Frame]) -> Recording<'_> {
+    Recording {
+        name: "ball",
+        title: "Ball",
+        about: "bouncing ball, restitution 0.9",
+        dt: frames[0].time,
+        bodies: vec![(Look::Sphere(0.5), ORANGE)],
+        fixed: vec![([0.0, -5.0, 0.0], [5.0, 0.5, 5.0], SLATE)],
+        ground: -5.5,
+        target: [0.0, -2.8, 0.0],
+        distance: 17.0,
+        yaw: 0.6,
+        pitch: 0.24,
+        radius: 9.0,
+        start: vec![at(0.0, 0.0, 0.0)],
+        frames,
+    }
+}
+
+fn pyramid_recording(frames: &[Frame]) -> Recording<'_> {
+    let rows = SMALL.rows;
+    let (mut bodies, mut start) = (Vec::new(), Vec::new());
+    for row in 0..rows {
+        for column in 0..rows - row {
+            let x = column as f32 + 0.5 * (1.0 + row as f32 - rows as f32);
+            start.push(at(x, 0.5 + row as f32, 0.0));
+            // From blue below to gold above, neighbours a little apart.
+            let t = row as f32 / (rows - 1) as f32;
+            let (blue, gold) = ([0.04, 0.21, 0.42], [0.95, 0.55, 0.10]);
+            let light = [1.0, 0.86, 0.93][column % 3];
+            let mix = |k: usize| light * (blue[k] + t * (gold[k] - blue[k]));
+            bodies.push((Look::Box([0.5; 3]), [mix(0), mix(1), mix(2)]));
+        }
+    }
+    bodies.push((Look::Sphere(0.9), ORANGE));
+    Recording {
+        name: "pyramid",
+        title: "Pyramid",
+        about: "10 rows stand, then a ball strikes",
+        dt: frames[0].time,
+        bodies,
+        fixed: Vec::new(),
+        ground: 0.0,
+        target: [0.0, 4.2, 0.0],
+        distance: 24.0,
+        yaw: -0.55,
+        pitch: 0.22,
+        radius: 17.0,
+        start,
+        frames,
+    }
 }
