@@ -60,7 +60,10 @@ fn rolling_resistance_stops_a_ball_in_time() {
     // Torque ρ r N about the contact point: a = (5/7) ρ g.
     let material = SurfaceMaterial { rolling_resistance: 0.05, friction: 1.0, ..SurfaceMaterial::default() };
     let mut scene = Scene::new(&sleepless(), orientations()[1]);
-    scene.floor(&ShapeDef { material: SurfaceMaterial { friction: 1.0, ..Default::default() }, ..Default::default() });
+    scene.floor(&ShapeDef {
+        material: SurfaceMaterial { friction: 1.0, ..Default::default() },
+        ..Default::default()
+    });
     let mut ball = BodyDef::dynamic(vec3(0.0, 0.5, 0.0));
     ball.linear_velocity = vec3(2.0, 0.0, 0.0);
     ball.angular_velocity = vec3(0.0, 0.0, -4.0);

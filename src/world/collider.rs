@@ -77,16 +77,6 @@ impl Collider {
         clamped(&self.shape.aabb(&origin.then(&self.local)))
     }
 
-    /// The radius by which a core of points is rounded \[m\].
-    #[must_use]
-    pub fn rounding(&self) -> Float {
-        match &self.shape {
-            Shape::Sphere(s) => s.radius(),
-            Shape::Capsule(c) => c.radius(),
-            _ => 0.0,
-        }
-    }
-
     /// The radius that rolling resistance is a share of.
     #[must_use]
     pub fn rolling_radius(&self) -> Float {

@@ -302,9 +302,14 @@ impl<L: Lane, const P: usize> Friction<L, P> {
         let sticks_up_to = self.mu_static * load;
         let slides = size2.gt(sticks_up_to * sticks_up_to);
         let one = L::splat(1.0);
-        let size = L::select(slides, size2, one).sqrt();
-        let cut = L::select(slides, (self.mu * load).over(size), one);
-        let (x, y) = (x * cut, y * cut);
+        // Sliding friction opposes the slip itself: along the block's inverse times the slip it would not, where the
+        // bodies yield more in one direction than in another.
+        let step = (m11 + m22) * L::splat(0.5);
+        let (sx, sy) = (self.lambda[0] - step * v0, self.lambda[1] - step * v1);
+        let size = L::select(slides, sx * sx + sy * sy, one).sqrt();
+        let cut = (self.mu * load).over(L::select(size.gt(L::zero()), size, one));
+        let x = L::select(slides, sx * cut, x);
+        let y = L::select(slides, sy * cut, y);
         let p = t[0].times(x - self.lambda[0]) + t[1].times(y - self.lambda[1]);
         self.lambda = [x, y];
         apply(a, b, p, ra, rb);

@@ -190,10 +190,10 @@ fn fill<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>>(
     block.source.as_mut()[lane] = at.index;
     block.normal.put(lane, c.normal);
     block.offset.put(lane, at.offset);
-    for (column, value) in block.rounding.iter_mut().zip(c.rounding) {
+    for (column, value) in block.soft.iter_mut().zip(at.soft) {
         column.put(lane, value);
     }
-    for (column, value) in block.soft.iter_mut().zip(at.soft) {
+    for (column, value) in block.rounding.iter_mut().zip(c.rounding) {
         column.put(lane, value);
     }
     let scale = at.impulse_scale;
