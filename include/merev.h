@@ -154,8 +154,17 @@ typedef int32_t mvBodyType;
  * else without a change to programs: convert with mvToPos() and mvToVec3(), subtract with mvSubPos().
  */
 typedef struct mvPos {
+    /**
+     * Along x.
+     */
     mvFloat x;
+    /**
+     * Along y.
+     */
     mvFloat y;
+    /**
+     * Along z.
+     */
     mvFloat z;
 } mvPos;
 
@@ -163,8 +172,17 @@ typedef struct mvPos {
  * A vector or point in three dimensions.
  */
 typedef struct mvVec3 {
+    /**
+     * Along x.
+     */
     mvFloat x;
+    /**
+     * Along y.
+     */
     mvFloat y;
+    /**
+     * Along z.
+     */
     mvFloat z;
 } mvVec3;
 
@@ -172,7 +190,13 @@ typedef struct mvVec3 {
  * A rotation as a unit quaternion: vector part v, scalar part s. The identity is v = 0, s = 1.
  */
 typedef struct mvQuat {
+    /**
+     * The vector part.
+     */
     mvVec3 v;
+    /**
+     * The scalar part.
+     */
     mvFloat s;
 } mvQuat;
 
@@ -420,8 +444,17 @@ typedef struct mvContactData {
  * A 3 by 3 matrix, by columns.
  */
 typedef struct mvMatrix3 {
+    /**
+     * The first column.
+     */
     mvVec3 cx;
+    /**
+     * The second column.
+     */
     mvVec3 cy;
+    /**
+     * The third column.
+     */
     mvVec3 cz;
 } mvMatrix3;
 
@@ -447,7 +480,13 @@ typedef struct mvMassData {
  * A rigid placement in the world: rotate by q, then shift to p.
  */
 typedef struct mvWorldTransform {
+    /**
+     * The shift [m].
+     */
     mvPos p;
+    /**
+     * The rotation.
+     */
     mvQuat q;
 } mvWorldTransform;
 
@@ -571,7 +610,13 @@ typedef struct mvSphere {
  * A rigid placement: rotate by q, then shift by p.
  */
 typedef struct mvTransform {
+    /**
+     * The shift [m].
+     */
     mvVec3 p;
+    /**
+     * The rotation.
+     */
     mvQuat q;
 } mvTransform;
 
@@ -1316,7 +1361,13 @@ typedef struct mvRayCastInput {
  * it is dot(normal, point) - offset, positive on the side the normal points to.
  */
 typedef struct mvPlane {
+    /**
+     * The normal, of length 1.
+     */
     mvVec3 normal;
+    /**
+     * The distance of the plane from the origin, along the normal.
+     */
     mvFloat offset;
 } mvPlane;
 
@@ -1400,7 +1451,13 @@ typedef struct mvBoxHull {
  * Cosine and sine of one angle.
  */
 typedef struct mvCosSin {
+    /**
+     * The cosine.
+     */
     mvFloat cosine;
+    /**
+     * The sine.
+     */
     mvFloat sine;
 } mvCosSin;
 
@@ -1711,7 +1768,13 @@ typedef struct mvStepReport {
  * A vector or point in two dimensions.
  */
 typedef struct mvVec2 {
+    /**
+     * Along x.
+     */
     mvFloat x;
+    /**
+     * Along y.
+     */
     mvFloat y;
 } mvVec2;
 
@@ -3740,10 +3803,13 @@ MV_API mvFilter mvShape_GetFilter(mvShapeId shapeId);
  * found again in the next step.
  * @param shapeId the shape
  * @param filter the filter
+ * @param invokeContacts whether contacts are to be found anew; today they always are
+ * @note Errors: mv_errorRange for a flag that is neither true nor false.
  */
 MV_API
 void mvShape_SetFilter(mvShapeId shapeId,
-                       mvFilter filter);
+                       mvFilter filter,
+                       bool invokeContacts);
 
 /**
  * Make begin and end events for contacts of a shape, or not. One of the two shapes is enough.

@@ -48,7 +48,8 @@ fn compiler(standard: &str) -> Command {
 
 fn succeed(command: &mut Command) -> String {
     let output = command.output().unwrap_or_else(|e| panic!("{command:?}: {e}"));
-    let text = format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    let text =
+        format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     assert!(output.status.success(), "{command:?}: {}\n{text}", output.status);
     text
 }
@@ -94,7 +95,8 @@ fn run(program: &Path) -> Option<String> {
     };
     // Cargo's own search path knows older libraries of the same name.
     let output = command.env("LD_LIBRARY_PATH", library_dir()).output().unwrap();
-    let text = format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    let text =
+        format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     print!("{text}");
     (!output.status.success()).then(|| format!("{}: {}\n{text}", program.display(), output.status))
 }
@@ -135,7 +137,11 @@ fn the_header_is_clean() {
 
 #[test]
 fn the_header_is_fresh() {
-    succeed(Command::new(env!("CARGO")).args(["run", "-q", "-p", "xtask", "--", "header", "--check"]).current_dir(root()));
+    succeed(
+        Command::new(env!("CARGO"))
+            .args(["run", "-q", "-p", "xtask", "--", "header", "--check"])
+            .current_dir(root()),
+    );
 }
 
 /// What the header declares and defines: the library's functions and the inline ones.
@@ -144,8 +150,11 @@ fn declared() -> (BTreeSet<String>, BTreeSet<String>) {
     let names = |marker: &str| {
         let pieces = text.split(marker).skip(1).filter(|p| p.starts_with([' ', '\n']));
         let head = |p: &str| p.split('(').next().unwrap().to_owned();
-        pieces.map(head).filter_map(|h| h.split_whitespace().last().map(|w| w.trim_start_matches('*').to_owned()))
-            .filter(|n| n.starts_with("mv")).collect()
+        pieces
+            .map(head)
+            .filter_map(|h| h.split_whitespace().last().map(|w| w.trim_start_matches('*').to_owned()))
+            .filter(|n| n.starts_with("mv"))
+            .collect()
     };
     (names("MV_API"), names("MV_INLINE"))
 }

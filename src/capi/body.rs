@@ -233,7 +233,11 @@ pub extern "C" fn mvBody_GetShapeCount(body_id: mvBodyId) -> c_int {
 /// @return how many were written
 /// @note Errors: mv_errorRange.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn mvBody_GetShapes(body_id: mvBodyId, shape_array: *mut mvShapeId, capacity: c_int) -> c_int {
+pub unsafe extern "C" fn mvBody_GetShapes(
+    body_id: mvBodyId,
+    shape_array: *mut mvShapeId,
+    capacity: c_int,
+) -> c_int {
     read_body(body_id, |b| {
         // Sound: the caller passes that much room.
         let room = unsafe { room("shapes", shape_array, capacity) }?;

@@ -238,7 +238,9 @@ pub extern "C" fn mvBody_ApplyTorque(body_id: mvBodyId, torque: mvVec3, wake: Fl
 /// @note Errors: mv_errorNotFinite, mv_errorRange.
 #[unsafe(no_mangle)]
 pub extern "C" fn mvBody_ApplyLinearImpulse(body_id: mvBodyId, impulse: mvVec3, point: mvPos, wake: Flag) {
-    write_body(body_id, |mut b| b.apply_linear_impulse(impulse.raw(), point.point("point")?, flag("wake", wake)?));
+    write_body(body_id, |mut b| {
+        b.apply_linear_impulse(impulse.raw(), point.point("point")?, flag("wake", wake)?)
+    });
 }
 
 /// Change the momentum of a body at once, at its centre of mass. Only awake dynamic bodies feel it.

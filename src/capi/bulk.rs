@@ -61,7 +61,8 @@ pub unsafe extern "C" fn mvBody_SetTransforms(
     count: c_int,
 ) {
     // Sound: the caller passes that many of both.
-    let given = || unsafe { Ok::<_, Error>((slice("ids", ids, count)?, slice("transforms", transforms, count)?)) };
+    let given =
+        || unsafe { Ok::<_, Error>((slice("ids", ids, count)?, slice("transforms", transforms, count)?)) };
     let (ids, transforms) = match given() {
         Ok(both) => both,
         Err(e) => return call(|| Err(e)),

@@ -33,16 +33,23 @@ pub(super) fn custom_filter(fcn: mvCustomFilterFcn, context: *mut c_void) -> Opt
 pub(super) fn pre_solve(fcn: mvPreSolveFcn, context: *mut c_void) -> Option<Arc<PreSolve>> {
     let (fcn, context) = (fcn?, Context(context));
     Some(Arc::new(move |world, a, b, point, normal| {
-        in_callback(world, || unsafe { fcn(a.into(), b.into(), point.into(), normal.into(), context.get()) } != 0)
+        in_callback(
+            world,
+            || unsafe { fcn(a.into(), b.into(), point.into(), normal.into(), context.get()) } != 0,
+        )
     }))
 }
 
 pub(super) fn friction(fcn: mvFrictionCallback, context: *mut c_void) -> Option<Arc<Mixing>> {
     let (fcn, context) = (fcn?, Context(context));
-    Some(Arc::new(move |world, a, ia, b, ib| in_callback(world, || unsafe { fcn(a, ia, b, ib, context.get()) })))
+    Some(Arc::new(move |world, a, ia, b, ib| {
+        in_callback(world, || unsafe { fcn(a, ia, b, ib, context.get()) })
+    }))
 }
 
 pub(super) fn restitution(fcn: mvRestitutionCallback, context: *mut c_void) -> Option<Arc<Mixing>> {
     let (fcn, context) = (fcn?, Context(context));
-    Some(Arc::new(move |world, a, ia, b, ib| in_callback(world, || unsafe { fcn(a, ia, b, ib, context.get()) })))
+    Some(Arc::new(move |world, a, ia, b, ib| {
+        in_callback(world, || unsafe { fcn(a, ia, b, ib, context.get()) })
+    }))
 }

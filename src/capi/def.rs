@@ -6,7 +6,9 @@ use super::id::mvShapeId;
 use super::math::{IDENTITY, ORIGIN, ZERO3, mvPos, mvQuat, mvVec3};
 use super::{Flag, MV_ABI_REVISION, mvFloat};
 use crate::error::{Error, ErrorCode, Result};
-use crate::world::{BodyDef, BodyType, Filter, MotionLocks, QueryFilter, ShapeDef, SurfaceMaterial, WorldDef};
+use crate::world::{
+    BodyDef, BodyType, Filter, MotionLocks, QueryFilter, ShapeDef, SurfaceMaterial, WorldDef,
+};
 use core::ffi::{c_char, c_int, c_void};
 use std::mem::size_of;
 
@@ -413,7 +415,10 @@ pub(super) fn flag(name: &str, byte: Flag) -> Result<bool> {
 pub(super) fn choice<T: Copy>(name: &str, value: i32, all: &[T], number: impl Fn(T) -> i32) -> Result<T> {
     let found = all.iter().copied().find(|&k| number(k) == value);
     found.ok_or_else(|| {
-        Error::new(ErrorCode::Range, format!("{name} is {value}; it must be one of the constants of its type."))
+        Error::new(
+            ErrorCode::Range,
+            format!("{name} is {value}; it must be one of the constants of its type."),
+        )
     })
 }
 
@@ -450,23 +455,25 @@ impl mvWorldDef {
         check_cookie("World", self.internal_value, WORLD_COOKIE)?;
         only_auto("integrator", self.integrator)?;
         only_auto("manifold", self.manifold)?;
-        let mut def = WorldDef::default();
-        def.gravity = self.gravity.raw();
-        def.restitution_threshold = self.restitution_threshold;
-        def.hit_event_threshold = self.hit_event_threshold;
-        def.contact_stiffness = self.contact_stiffness;
-        def.contact_damping_ratio = self.contact_damping_ratio;
-        def.contact_speed = self.contact_speed;
-        def.maximum_linear_speed = self.maximum_linear_speed;
-        def.enable_sleep = flag("enableSleep", self.enable_sleep)?;
-        def.enable_warm_starting = flag("enableWarmStarting", self.enable_warm_starting)?;
-        def.enable_load_memory = flag("enableLoadMemory", self.enable_load_memory)?;
-        def.worker_count = self.worker_count;
-        def.accuracy = self.accuracy;
-        def.solver = super::kind::solver(self.solver)?;
-        def.broad_phase = super::kind::broad_phase(self.broad_phase)?;
-        def.narrow_phase = super::kind::narrow_phase(self.narrow_phase)?;
-        def.user_data = to_word(self.user_data);
+        let def = WorldDef {
+            gravity: self.gravity.raw(),
+            restitution_threshold: self.restitution_threshold,
+            hit_event_threshold: self.hit_event_threshold,
+            contact_stiffness: self.contact_stiffness,
+            contact_damping_ratio: self.contact_damping_ratio,
+            contact_speed: self.contact_speed,
+            maximum_linear_speed: self.maximum_linear_speed,
+            enable_sleep: flag("enableSleep", self.enable_sleep)?,
+            enable_warm_starting: flag("enableWarmStarting", self.enable_warm_starting)?,
+            enable_load_memory: flag("enableLoadMemory", self.enable_load_memory)?,
+            worker_count: self.worker_count,
+            accuracy: self.accuracy,
+            solver: super::kind::solver(self.solver)?,
+            broad_phase: super::kind::broad_phase(self.broad_phase)?,
+            narrow_phase: super::kind::narrow_phase(self.narrow_phase)?,
+            user_data: to_word(self.user_data),
+            ..WorldDef::default()
+        };
         def.validate()?;
         Ok(def)
     }

@@ -135,7 +135,8 @@ pub struct mvShapeCastPairInput {
     pub can_encroach: Flag,
 }
 
-const NO_VERTEX: mvSimplexVertex = mvSimplexVertex { w_a: ZERO3, w_b: ZERO3, w: ZERO3, index_a: 0, index_b: 0 };
+const NO_VERTEX: mvSimplexVertex =
+    mvSimplexVertex { w_a: ZERO3, w_b: ZERO3, w: ZERO3, index_a: 0, index_b: 0 };
 
 neutral! {
     mvDistanceOutput = mvDistanceOutput {
@@ -194,7 +195,8 @@ pub unsafe extern "C" fn mvShapeDistance(
         let input = needed("The input", input)?;
         // Sound: the caller passes proxies with as many points as they say.
         let (mut a, mut b) = unsafe { (input.proxy_a.copied()?, input.proxy_b.copied()?) };
-        (a.proxy()?, b.proxy()?);
+        // Bad radii are told even where they do not count.
+        a.proxy().and(b.proxy())?;
         let pose = input.transform.pose("transform")?;
         // Sound: the caller passes that much room.
         let room = unsafe { room("simplexes", simplexes, simplex_capacity) }?;
@@ -404,7 +406,10 @@ unsafe fn cast(shape: &Shape, local: &Pose, input: Option<&mvShapeCastInput>) ->
 
 pub(super) fn no_encroaching(can_encroach: Flag) -> Result<()> {
     if flag("canEncroach", can_encroach)? {
-        return Err(Error::new(ErrorCode::Unsupported, "Encroaching is not built yet: canEncroach must be false."));
+        return Err(Error::new(
+            ErrorCode::Unsupported,
+            "Encroaching is not built yet: canEncroach must be false.",
+        ));
     }
     Ok(())
 }

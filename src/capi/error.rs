@@ -45,8 +45,9 @@ pub type mvLogFcn = Option<unsafe extern "C" fn(message: *const c_char)>;
 
 /// Hears of internal faults: what was violated and where, in UTF-8, valid during the callback only. The return
 /// value is reserved: return 0.
-pub type mvAssertFcn =
-    Option<unsafe extern "C" fn(condition: *const c_char, fileName: *const c_char, lineNumber: c_int) -> c_int>;
+pub type mvAssertFcn = Option<
+    unsafe extern "C" fn(condition: *const c_char, fileName: *const c_char, lineNumber: c_int) -> c_int,
+>;
 
 static LOG: RwLock<mvLogFcn> = RwLock::new(None);
 static ASSERT: RwLock<mvAssertFcn> = RwLock::new(None);

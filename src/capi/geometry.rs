@@ -167,7 +167,10 @@ pub extern "C" fn mvRayCastSphere(shape: Option<&mvSphere>, input: Option<&mvRay
 /// @return the first hit; no hit for bad arguments
 /// @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
 #[unsafe(no_mangle)]
-pub extern "C" fn mvRayCastCapsule(shape: Option<&mvCapsule>, input: Option<&mvRayCastInput>) -> mvCastOutput {
+pub extern "C" fn mvRayCastCapsule(
+    shape: Option<&mvCapsule>,
+    input: Option<&mvRayCastInput>,
+) -> mvCastOutput {
     call(|| cast(&Shape::Capsule(needed("The capsule", shape)?.solid()?), &Pose::IDENTITY, input))
 }
 
@@ -178,7 +181,10 @@ pub extern "C" fn mvRayCastCapsule(shape: Option<&mvCapsule>, input: Option<&mvR
 /// @return the first hit; no hit for bad arguments
 /// @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn mvRayCastHull(shape: *const mvHullData, input: Option<&mvRayCastInput>) -> mvCastOutput {
+pub unsafe extern "C" fn mvRayCastHull(
+    shape: *const mvHullData,
+    input: Option<&mvRayCastInput>,
+) -> mvCastOutput {
     call(|| {
         // Sound: the caller passes a hull.
         let (shape, pose) = unsafe { solid(shape) }?;

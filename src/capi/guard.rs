@@ -102,7 +102,10 @@ fn install_hook() {
 }
 
 fn fault(info: &PanicHookInfo<'_>) -> Fault {
-    let message = info.payload_as_str().unwrap_or("unknown").to_owned();
+    let payload = info.payload();
+    let text = payload.downcast_ref::<&str>().copied();
+    let text = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+    let message = text.unwrap_or("unknown").to_owned();
     let (file, line) = info.location().map_or((String::new(), 0), |l| (l.file().to_owned(), l.line()));
     Fault { message, file, line }
 }
@@ -114,7 +117,8 @@ pub(super) fn needed<T>(what: &str, value: Option<T>) -> Result<T> {
 
 /// A count that must not be negative.
 pub(super) fn count(what: &str, n: core::ffi::c_int) -> Result<usize> {
-    usize::try_from(n).map_err(|_| Error::new(ErrorCode::Range, format!("{what} is {n}; it must not be negative.")))
+    usize::try_from(n)
+        .map_err(|_| Error::new(ErrorCode::Range, format!("{what} is {n}; it must not be negative.")))
 }
 
 /// A count as C sees it.
@@ -161,13 +165,19 @@ fn check_array<T>(what: &str, data: *const T) -> Result<()> {
     }
     if !data.is_aligned() {
         let need = align_of::<T>();
-        return Err(Error::new(ErrorCode::Range, format!("The array of {what} is not aligned to {need} bytes.")));
+        return Err(Error::new(
+            ErrorCode::Range,
+            format!("The array of {what} is not aligned to {need} bytes."),
+        ));
     }
     Ok(())
 }
 
 /// Writes as many of `values` as there is room for; returns how many there are in all.
-pub(super) fn fill<T>(room: &mut [std::mem::MaybeUninit<T>], values: impl Iterator<Item = T>) -> core::ffi::c_int {
+pub(super) fn fill<T>(
+    room: &mut [std::mem::MaybeUninit<T>],
+    values: impl Iterator<Item = T>,
+) -> core::ffi::c_int {
     let mut total = 0;
     for value in values {
         if let Some(place) = room.get_mut(total) {

@@ -210,7 +210,8 @@ impl Tables {
                 seen[usize::from(seen[0].is_some())] = Some(e);
             }
             let corner = |k: usize| points[around[k] as usize] - points[around[0] as usize];
-            area += (1..around.len() - 1).map(|k| 0.5 * length(corner(k).cross(&corner(k + 1)))).sum::<Float>();
+            area +=
+                (1..around.len() - 1).map(|k| 0.5 * length(corner(k).cross(&corner(k + 1)))).sum::<Float>();
             faces.push(mvHullFace { edge: first as u16 });
             let (n, offset) = solid.plane(face);
             let n = pose.vector(n);
@@ -349,7 +350,8 @@ pub(super) unsafe fn checked<'a>(hull: *const mvHullData) -> Result<(&'a mvHullD
     if head.version != VERSION {
         return bad("The hull was not made by this version of the library.");
     }
-    if head.byte_count < 0 || bytes < size_of::<mvHullData>() || bytes > MAX_BYTES || !bytes.is_multiple_of(8) {
+    if head.byte_count < 0 || bytes < size_of::<mvHullData>() || bytes > MAX_BYTES || !bytes.is_multiple_of(8)
+    {
         return bad("The hull has a wrong byte count.");
     }
     // Sound: the version says that this library made it, so by contract all its bytes are there.
@@ -371,7 +373,8 @@ pub(super) fn points(head: &mvHullData, words: &[u64]) -> Result<Vec<Vec3>> {
         return Err(Error::new(ErrorCode::Definition, "The hull's points lie outside of it."));
     }
     // Sound: inside the block, as just checked; mvVec3 is valid for any bits.
-    let points = unsafe { std::slice::from_raw_parts(words.as_ptr().cast::<u8>().add(start).cast::<mvVec3>(), n) };
+    let points =
+        unsafe { std::slice::from_raw_parts(words.as_ptr().cast::<u8>().add(start).cast::<mvVec3>(), n) };
     Ok(points.iter().map(|p| p.raw()).collect())
 }
 

@@ -88,7 +88,8 @@ pub(super) fn narrow_phase(kind: mvNarrowPhaseKind) -> Result<NarrowPhaseKind> {
 
 /// The engine's name as a C constant.
 fn constant(name: &str) -> *const c_char {
-    const NAMES: [&CStr; 6] = [c"auto", c"soft_step", c"brute_force", c"dynamic_bvh", c"specialised", c"gjk-epa"];
+    const NAMES: [&CStr; 6] =
+        [c"auto", c"soft_step", c"brute_force", c"dynamic_bvh", c"specialised", c"gjk-epa"];
     NAMES.iter().find(|n| n.to_bytes() == name.as_bytes()).map_or(c"unnamed".as_ptr(), |n| n.as_ptr())
 }
 

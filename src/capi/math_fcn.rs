@@ -214,7 +214,12 @@ pub extern "C" fn mvLineDistance(p1: mvVec3, d1: mvVec3, p2: mvVec3, d2: mvVec3)
 /// @return the closest points; zero for bad arguments
 /// @note Errors: mv_errorNotFinite, mv_errorRange.
 #[unsafe(no_mangle)]
-pub extern "C" fn mvSegmentDistance(p1: mvVec3, q1: mvVec3, p2: mvVec3, q2: mvVec3) -> mvSegmentDistanceResult {
+pub extern "C" fn mvSegmentDistance(
+    p1: mvVec3,
+    q1: mvVec3,
+    p2: mvVec3,
+    q2: mvVec3,
+) -> mvSegmentDistanceResult {
     call(|| {
         let (p1, q1, p2, q2) = (p1.point("p1")?, q1.point("q1")?, p2.point("p2")?, q2.point("q2")?);
         let (d1, d2, r) = (q1 - p1, q2 - p2, p1 - p2);

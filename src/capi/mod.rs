@@ -12,7 +12,7 @@
 #![allow(non_camel_case_types, non_upper_case_globals, non_snake_case)]
 // C's rules for pointers are in the header; a section for Rust callers would end up there too.
 #![allow(clippy::missing_safety_doc)]
-#![allow(missing_docs)]
+#![warn(missing_docs)]
 
 mod base;
 mod body;

@@ -101,7 +101,7 @@ impl From<ShapeHit> for mvRayResult {
 /// @return what was looked at; zero for bad arguments
 /// @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange.
 #[unsafe(no_mangle)]
-pub extern "C" fn mvWorld_OverlapAABB(
+pub unsafe extern "C" fn mvWorld_OverlapAABB(
     world_id: mvWorldId,
     aabb: mvAABB,
     filter: mvQueryFilter,
@@ -213,7 +213,7 @@ pub unsafe extern "C" fn mvWorld_OverlapShapeAll(
 /// @return what was looked at; zero for bad arguments
 /// @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange.
 #[unsafe(no_mangle)]
-pub extern "C" fn mvWorld_CastRay(
+pub unsafe extern "C" fn mvWorld_CastRay(
     world_id: mvWorldId,
     origin: mvPos,
     translation: mvVec3,
@@ -341,7 +341,8 @@ pub unsafe extern "C" fn mvWorld_CastShapeClosest(
     read_world(world_id, |v| {
         // Sound: the caller passes a proxy with as many points as it says.
         let cloud = unsafe { given(proxy) }?;
-        let hit = v.world.cast_shape_closest(&cloud.proxy()?, origin.raw(), translation.raw(), filter.raw())?;
+        let hit =
+            v.world.cast_shape_closest(&cloud.proxy()?, origin.raw(), translation.raw(), filter.raw())?;
         Ok(hit.map_or(mvRayResult::NEUTRAL, Into::into))
     })
 }

@@ -93,7 +93,8 @@ fn place(index: usize) -> Option<&'static Place> {
 }
 
 fn block(index: usize) -> &'static OnceLock<Box<[Place]>> {
-    static BLOCKS: [OnceLock<Box<[Place]>>; PLACES / BLOCK + 1] = [const { OnceLock::new() }; PLACES / BLOCK + 1];
+    static BLOCKS: [OnceLock<Box<[Place]>>; PLACES / BLOCK + 1] =
+        [const { OnceLock::new() }; PLACES / BLOCK + 1];
     &BLOCKS[index / BLOCK]
 }
 
@@ -168,7 +169,9 @@ impl Target {
     }
 
     fn place(self) -> Result<&'static Place> {
-        place(self.index).filter(|p| self.index < PLACES && p.holds(self.generation)).ok_or_else(|| gone(self.what))
+        place(self.index)
+            .filter(|p| self.index < PLACES && p.holds(self.generation))
+            .ok_or_else(|| gone(self.what))
     }
 }
 
@@ -225,7 +228,10 @@ fn read_inside<R>(target: Target, place: &Place, f: impl FnOnce(View<'_>) -> Res
 }
 
 fn locked() -> Error {
-    Error::new(ErrorCode::Locked, "The world is inside a step or a query of this thread: callbacks must not change it.")
+    Error::new(
+        ErrorCode::Locked,
+        "The world is inside a step or a query of this thread: callbacks must not change it.",
+    )
 }
 
 fn write<R>(target: Target, f: impl FnOnce(Edit<'_>) -> Result<R>) -> Result<R> {
@@ -384,7 +390,10 @@ pub(super) fn read_shape<R: Neutral>(id: mvShapeId, f: impl FnOnce(ColliderRef<'
     call(|| read(Target::of(id.index1, id.world0, "shape")?, |v| f(v.world.shape(id.into())?)))
 }
 
-pub(super) fn view_shape<R: Neutral>(id: mvShapeId, f: impl FnOnce(View<'_>, ColliderRef<'_>) -> Result<R>) -> R {
+pub(super) fn view_shape<R: Neutral>(
+    id: mvShapeId,
+    f: impl FnOnce(View<'_>, ColliderRef<'_>) -> Result<R>,
+) -> R {
     call(|| read(Target::of(id.index1, id.world0, "shape")?, |v| f(v, v.world.shape(id.into())?)))
 }
 
@@ -398,15 +407,83 @@ pub(super) fn edit_at_shape<R: Neutral>(id: mvShapeId, f: impl FnOnce(Edit<'_>) 
 
 /// Whether the body lives; false also when nobody may look now.
 pub(super) fn is_body(id: mvBodyId) -> bool {
-    Target::of(id.index1, id.world0, "body").and_then(|t| read(t, |v| v.world.body(id.into()).map(|_| ()))).is_ok()
+    Target::of(id.index1, id.world0, "body")
+        .and_then(|t| read(t, |v| v.world.body(id.into()).map(|_| ())))
+        .is_ok()
 }
 
 /// Whether the shape lives; false also when nobody may look now.
 pub(super) fn is_shape(id: mvShapeId) -> bool {
-    Target::of(id.index1, id.world0, "shape").and_then(|t| read(t, |v| v.world.shape(id.into()).map(|_| ()))).is_ok()
+    Target::of(id.index1, id.world0, "shape")
+        .and_then(|t| read(t, |v| v.world.shape(id.into()).map(|_| ())))
+        .is_ok()
 }
 
 /// Whether the contact's world can be read now and says so.
 pub(super) fn is_contact(id: mvContactId, f: impl FnOnce(View<'_>) -> bool) -> bool {
     Target::of(id.index1, id.world0, "contact").and_then(|t| read(t, |v| Ok(f(v)))).unwrap_or(false)
+}
+
+// The same in pieces, for calls that have work to do between looking up and writing.
+
+pub(super) fn look_up_body(id: mvBodyId) -> Result<()> {
+    read(Target::of(id.index1, id.world0, "body")?, |v| v.world.body(id.into()).map(|_| ()))
+}
+
+pub(super) fn look_up_shape(id: mvShapeId) -> Result<()> {
+    read(Target::of(id.index1, id.world0, "shape")?, |v| v.world.shape(id.into()).map(|_| ()))
+}
+
+pub(super) fn edit_at<R>(id: mvBodyId, f: impl FnOnce(Edit<'_>) -> Result<R>) -> Result<R> {
+    write(Target::of(id.index1, id.world0, "body")?, f)
+}
+
+pub(super) fn edit_shape<R>(id: mvShapeId, f: impl FnOnce(Edit<'_>) -> Result<R>) -> Result<R> {
+    write(Target::of(id.index1, id.world0, "shape")?, f)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::*;
+    use super::*;
+
+    fn new_world() -> mvWorldId {
+        mvCreateWorld(Some(&mvDefaultWorldDef()))
+    }
+
+    #[test]
+    fn a_panic_breaks_its_world_alone() {
+        let (broken, whole) = (new_world(), new_world());
+        let _: () = write_world(broken, |_| panic!("on purpose"));
+        assert_eq!(mvGetLastError(), mv_errorInternal);
+        for _ in 0..2 {
+            assert_eq!(mvWorld_GetGravity(broken).y, 0.0);
+            assert_eq!(mvGetLastError(), mv_errorFaulted);
+        }
+        mvWorld_Step(broken, 0.01, 1);
+        assert_eq!(mvGetLastError(), mv_errorFaulted);
+        assert!(mvWorld_IsValid(broken));
+        assert_eq!(mvWorld_GetGravity(whole).y, -10.0);
+        mvDestroyWorld(broken);
+        assert!(!mvWorld_IsValid(broken));
+        mvDestroyWorld(whole);
+        assert_eq!(mvGetLastError(), mv_errorNone);
+        // Nobody moves in where something broke.
+        let next: Vec<_> = (0..3).map(|_| new_world()).collect();
+        assert!(next.iter().all(|w| w.index1 != broken.index1));
+        next.into_iter().for_each(|w| mvDestroyWorld(w));
+    }
+
+    #[test]
+    fn a_place_whose_generations_are_used_up_retires() {
+        let first = new_world();
+        let place = place(usize::from(first.index1) - 1).unwrap();
+        place.generation.store(u32::from(u16::MAX), Release);
+        let last = mvWorldId { index1: first.index1, generation: u16::MAX };
+        assert!(mvWorld_IsValid(last) && !mvWorld_IsValid(first));
+        mvDestroyWorld(last);
+        let others: Vec<_> = (0..3).map(|_| new_world()).collect();
+        assert!(others.iter().all(|w| w.index1 != first.index1));
+        others.into_iter().for_each(|w| mvDestroyWorld(w));
+    }
 }

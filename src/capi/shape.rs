@@ -2,12 +2,12 @@
 
 use super::def::*;
 use super::error::text;
-use super::guard::needed;
+use super::guard::{call, needed};
 use super::hull::transformed;
 use super::hull_data::{Tables, checked, mvHullData, points, solid};
 use super::id::{mvBodyId, mvShapeId, mvWorldId};
 use super::math::{mvPlane, mvTransform, mvVec3};
-use super::registry::{self, edit_at_body, edit_at_shape, read_shape, view_shape, write_shape};
+use super::registry::{self, edit_at_shape, read_shape, view_shape, write_shape};
 use super::shape_data::{mvCapsule, mvSphere};
 use super::side::Named;
 use super::{Flag, mvFloat};
@@ -36,7 +36,11 @@ pub const mv_planeShape: mvShapeType = 6;
 /// @return the shape; null for bad arguments
 /// @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn mvCreateSphereShape(body_id: mvBodyId, def: Option<&mvShapeDef>, sphere: Option<&mvSphere>) -> mvShapeId {
+pub unsafe extern "C" fn mvCreateSphereShape(
+    body_id: mvBodyId,
+    def: Option<&mvShapeDef>,
+    sphere: Option<&mvSphere>,
+) -> mvShapeId {
     attach(body_id, def, || {
         let sphere = needed("The sphere", sphere)?.solid()?;
         Ok((Shape::Sphere(sphere), Pose::IDENTITY))
@@ -51,7 +55,11 @@ pub unsafe extern "C" fn mvCreateSphereShape(body_id: mvBodyId, def: Option<&mvS
 /// @return the shape; null for bad arguments
 /// @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn mvCreateCapsuleShape(body_id: mvBodyId, def: Option<&mvShapeDef>, capsule: Option<&mvCapsule>) -> mvShapeId {
+pub unsafe extern "C" fn mvCreateCapsuleShape(
+    body_id: mvBodyId,
+    def: Option<&mvShapeDef>,
+    capsule: Option<&mvCapsule>,
+) -> mvShapeId {
     attach(body_id, def, || {
         let capsule = needed("The capsule", capsule)?.solid()?;
         Ok((Shape::Capsule(capsule), Pose::IDENTITY))
@@ -66,7 +74,11 @@ pub unsafe extern "C" fn mvCreateCapsuleShape(body_id: mvBodyId, def: Option<&mv
 /// @return the shape; null for bad arguments
 /// @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn mvCreateHullShape(body_id: mvBodyId, def: Option<&mvShapeDef>, hull: *const mvHullData) -> mvShapeId {
+pub unsafe extern "C" fn mvCreateHullShape(
+    body_id: mvBodyId,
+    def: Option<&mvShapeDef>,
+    hull: *const mvHullData,
+) -> mvShapeId {
     attach(body_id, def, || {
         // Sound: the caller passes a hull.
         unsafe { solid(hull) }
@@ -83,7 +95,13 @@ pub unsafe extern "C" fn mvCreateHullShape(body_id: mvBodyId, def: Option<&mvSha
 /// @return the shape; null for bad arguments
 /// @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn mvCreateTransformedHullShape(body_id: mvBodyId, def: Option<&mvShapeDef>, hull: *const mvHullData, transform: mvTransform, scale: mvVec3) -> mvShapeId {
+pub unsafe extern "C" fn mvCreateTransformedHullShape(
+    body_id: mvBodyId,
+    def: Option<&mvShapeDef>,
+    hull: *const mvHullData,
+    transform: mvTransform,
+    scale: mvVec3,
+) -> mvShapeId {
     attach(body_id, def, || {
         // Sound: the caller passes a hull.
         let (head, words) = unsafe { checked(hull) }?;
@@ -102,10 +120,14 @@ pub unsafe extern "C" fn mvCreateTransformedHullShape(body_id: mvBodyId, def: Op
 /// @return the shape; null for bad arguments
 /// @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn mvCreateBoxShape(body_id: mvBodyId, def: Option<&mvShapeDef>, hx: mvFloat, hy: mvFloat, hz: mvFloat) -> mvShapeId {
-    attach(body_id, def, || {
-        Ok((Shape::Box(Cuboid::new(vec3(hx, hy, hz))?), Pose::IDENTITY))
-    })
+pub unsafe extern "C" fn mvCreateBoxShape(
+    body_id: mvBodyId,
+    def: Option<&mvShapeDef>,
+    hx: mvFloat,
+    hy: mvFloat,
+    hz: mvFloat,
+) -> mvShapeId {
+    attach(body_id, def, || Ok((Shape::Box(Cuboid::new(vec3(hx, hy, hz))?), Pose::IDENTITY)))
 }
 
 /// Attach everything below a plane to a static body: a floor without end.
@@ -117,25 +139,31 @@ pub unsafe extern "C" fn mvCreateBoxShape(body_id: mvBodyId, def: Option<&mvShap
 /// @return the shape; null for bad arguments
 /// @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorDegenerate; mv_errorRange also for a body that is not static.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn mvCreatePlaneShape(body_id: mvBodyId, def: Option<&mvShapeDef>, plane: Option<&mvPlane>) -> mvShapeId {
+pub unsafe extern "C" fn mvCreatePlaneShape(
+    body_id: mvBodyId,
+    def: Option<&mvShapeDef>,
+    plane: Option<&mvPlane>,
+) -> mvShapeId {
     attach(body_id, def, || {
         let plane = needed("The plane", plane)?;
         Ok((Shape::HalfSpace(HalfSpace::new(plane.normal.raw(), plane.offset)?), Pose::IDENTITY))
     })
 }
 
+/// Looks up, then builds the geometry, then takes the world: a fault in the building breaks no world.
 fn attach(
     body_id: mvBodyId,
     def: Option<&mvShapeDef>,
     geometry: impl FnOnce() -> Result<(Shape, Pose)>,
 ) -> mvShapeId {
-    edit_at_body(body_id, |e| {
-        // Null, foreign and stale ids first: they tell more than what is wrong with the rest.
-        e.world.body(body_id.into())?;
+    call(|| {
+        registry::look_up_body(body_id)?;
         // Sound: the caller's name is null or a string.
         let def = unsafe { needed("The definition", def)?.checked() }?;
         let (shape, local) = geometry()?;
-        e.world.create_shape(body_id.into(), &def, shape, local).map(Into::into)
+        registry::edit_at(body_id, |e| {
+            e.world.create_shape(body_id.into(), &def, shape, local).map(Into::into)
+        })
     })
 }
 
@@ -309,12 +337,14 @@ pub unsafe extern "C" fn mvShape_SetHull(shape_id: mvShapeId, hull: *const mvHul
 }
 
 fn reshape(shape_id: mvShapeId, geometry: impl FnOnce() -> Result<(Shape, Pose)>) {
-    edit_at_shape(shape_id, |e| {
-        e.world.shape(shape_id.into())?;
+    call(|| {
+        registry::look_up_shape(shape_id)?;
         let (shape, local) = geometry()?;
-        e.world.shape_mut(shape_id.into())?.set_shape(shape, &local, false)?;
-        e.side.forget_hull(shape_id.index1 as u32);
-        Ok(())
+        registry::edit_shape(shape_id, |e| {
+            e.world.shape_mut(shape_id.into())?.set_shape(shape, &local, false)?;
+            e.side.forget_hull(shape_id.index1 as u32);
+            Ok(())
+        })
     });
 }
 

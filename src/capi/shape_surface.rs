@@ -120,9 +120,12 @@ pub extern "C" fn mvShape_GetFilter(shape_id: mvShapeId) -> mvFilter {
 /// found again in the next step.
 /// @param shapeId the shape
 /// @param filter the filter
+/// @param invokeContacts whether contacts are to be found anew; today they always are
+/// @note Errors: mv_errorRange for a flag that is neither true nor false.
 #[unsafe(no_mangle)]
-pub extern "C" fn mvShape_SetFilter(shape_id: mvShapeId, filter: mvFilter) {
+pub extern "C" fn mvShape_SetFilter(shape_id: mvShapeId, filter: mvFilter, invoke_contacts: Flag) {
     write_shape(shape_id, |mut s| {
+        flag("invokeContacts", invoke_contacts)?;
         s.set_filter(filter.raw());
         Ok(())
     });
@@ -189,15 +192,21 @@ pub extern "C" fn mvShape_AreHitEventsEnabled(shape_id: mvShapeId) -> bool {
 /// @return the hit, in the world; no hit for bad arguments
 /// @note Errors: mv_errorNotFinite, mv_errorRange.
 #[unsafe(no_mangle)]
-pub extern "C" fn mvShape_RayCast(shape_id: mvShapeId, origin: mvPos, translation: mvVec3) -> mvWorldCastOutput {
+pub extern "C" fn mvShape_RayCast(
+    shape_id: mvShapeId,
+    origin: mvPos,
+    translation: mvVec3,
+) -> mvWorldCastOutput {
     read_shape(shape_id, |s| {
         let hit = s.ray_cast(origin.raw(), translation.raw())?;
-        Ok(hit.filter(|h| h.normal != Vec3::zeros()).map_or(mvWorldCastOutput::NEUTRAL, |h| mvWorldCastOutput {
-            normal: h.normal.into(),
-            point: h.point.into(),
-            fraction: h.fraction,
-            iterations: 0,
-            hit: true,
+        Ok(hit.filter(|h| h.normal != Vec3::zeros()).map_or(mvWorldCastOutput::NEUTRAL, |h| {
+            mvWorldCastOutput {
+                normal: h.normal.into(),
+                point: h.point.into(),
+                fraction: h.fraction,
+                iterations: 0,
+                hit: true,
+            }
         }))
     })
 }

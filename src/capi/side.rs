@@ -70,12 +70,21 @@ impl Side {
     }
 
     /// The manifold of a contact, kept until the next step.
-    pub(super) fn manifold(&self, contact: ContactId, make: impl FnOnce() -> mvManifold) -> *const mvManifold {
+    pub(super) fn manifold(
+        &self,
+        contact: ContactId,
+        make: impl FnOnce() -> mvManifold,
+    ) -> *const mvManifold {
         &raw const **lock(&self.manifolds).entry(contact).or_insert_with(|| Box::new(make()))
     }
 
     /// The hull of a shape, kept until the shape changes or its slot is used again.
-    pub(super) fn hull(&self, index: u32, generation: u16, make: impl FnOnce() -> Block) -> *const mvHullData {
+    pub(super) fn hull(
+        &self,
+        index: u32,
+        generation: u16,
+        make: impl FnOnce() -> Block,
+    ) -> *const mvHullData {
         let mut hulls = lock(&self.hulls);
         if hulls.get(&index).is_none_or(|(g, _)| *g != generation) {
             hulls.insert(index, (generation, make()));

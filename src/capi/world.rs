@@ -4,8 +4,8 @@ use super::def::*;
 use super::guard::{c_count, call, needed};
 use super::id::mvWorldId;
 use super::math::mvAABB;
-use super::registry::{self, read_world, write_world};
 use super::mvFloat;
+use super::registry::{self, read_world, write_world};
 use crate::error::{Error, ErrorCode};
 use crate::math::Aabb;
 use core::ffi::{c_int, c_void};
@@ -130,7 +130,11 @@ pub extern "C" fn mvWorld_GetUserData(world_id: mvWorldId) -> *mut c_void {
 /// @param fcn the callback, null for none
 /// @param context passed to the callback
 #[unsafe(no_mangle)]
-pub extern "C" fn mvWorld_SetCustomFilterCallback(world_id: mvWorldId, fcn: mvCustomFilterFcn, context: *mut c_void) {
+pub extern "C" fn mvWorld_SetCustomFilterCallback(
+    world_id: mvWorldId,
+    fcn: mvCustomFilterFcn,
+    context: *mut c_void,
+) {
     write_world(world_id, |e| {
         e.world.set_custom_filter(super::callback::custom_filter(fcn, context));
         Ok(())

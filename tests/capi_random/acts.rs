@@ -148,7 +148,7 @@ pub const ACTS: &[Act] = &[
             27 => drop(mvBody_GetLocalRotationalInertia(b)),
             28 => drop(mvBody_GetWorldInverseRotationalInertia(b)),
             29 => drop((mvBody_GetLocalCenter(b), mvBody_GetWorldCenter(b))),
-            30 => drop(mvBody_GetMassData(b)),
+            30 => drop((mvBody_GetMassData(b),)),
             31 => drop((mvBody_GetLinearDamping(b), mvBody_GetAngularDamping(b), mvBody_GetGravityScale(b))),
             32 => drop(mvBody_GetClosestPoint(b, None, v)),
             _ => {
@@ -193,7 +193,8 @@ pub const ACTS: &[Act] = &[
             5 => mvBody_Disable(b),
             6 | 7 => mvBody_Enable(b),
             8 => {
-                let [linear_x, linear_y, linear_z, angular_x, angular_y, angular_z] = [0; 6].map(|_: u8| s.r.flag());
+                let [linear_x, linear_y, linear_z, angular_x, angular_y, angular_z] =
+                    [0; 6].map(|_: u8| s.r.flag());
                 let locks = mvMotionLocks { linear_x, linear_y, linear_z, angular_x, angular_y, angular_z };
                 mvBody_SetMotionLocks(b, locks);
             }
@@ -318,7 +319,7 @@ pub const ACTS: &[Act] = &[
             3 => mvShape_SetStaticFriction(id, x),
             4 => mvShape_SetRestitution(id, x),
             5 => mvShape_SetSurfaceMaterial(id, s.shape_def().base_material),
-            6 => mvShape_SetFilter(id, s.shape_def().filter),
+            6 => mvShape_SetFilter(id, s.shape_def().filter, flag),
             7 => mvShape_EnableContactEvents(id, flag),
             8 => mvShape_EnablePreSolveEvents(id, flag),
             9 => mvShape_EnableHitEvents(id, flag),
@@ -383,9 +384,11 @@ pub const ACTS: &[Act] = &[
     ("destroy hull", |s| {
         if s.hulls.len() > 4 {
             let k = s.r.below(s.hulls.len());
-            mvDestroyHull(s.hulls.swap_remove(k));
+            // Sound: the story made it and has not destroyed it yet.
+            unsafe { mvDestroyHull(s.hulls.swap_remove(k)) };
         } else {
-            mvDestroyHull(std::ptr::without_provenance_mut(8 * s.r.below(1 << 20)));
+            // Sound: an address that no hull has is refused without being followed.
+            unsafe { mvDestroyHull(std::ptr::without_provenance_mut(8 * s.r.below(1 << 20))) };
         }
     }),
     ("make box", |s| {
@@ -448,11 +451,13 @@ pub const ACTS: &[Act] = &[
     ("distance", |s| {
         let (ball, pill, hull, t, v) = (sphere(s), capsule(s), s.hull(), s.r.transform(), s.r.vec());
         let points = [s.r.vec(), s.r.vec(), s.r.vec()];
-        let mine = mvShapeProxy { points: points.as_ptr(), count: 1 + s.r.below(3) as c_int, radius: s.r.size() };
+        let mine =
+            mvShapeProxy { points: points.as_ptr(), count: 1 + s.r.below(3) as c_int, radius: s.r.size() };
         with_proxy(s, |s, proxy| {
             let other = *proxy.unwrap_or(&mine);
             let most = s.r.size();
-            let input = mvDistanceInput { proxy_a: mine, proxy_b: other, transform: t, use_radii: s.r.flag() };
+            let input =
+                mvDistanceInput { proxy_a: mine, proxy_b: other, transform: t, use_radii: s.r.flag() };
             let cast = mvShapeCastInput { proxy: other, translation: v, max_fraction: most, can_encroach: 0 };
             let pair = mvShapeCastPairInput {
                 proxy_a: mine,

@@ -1,6 +1,8 @@
 //! include/merev.h, made by cbindgen from src/capi.
 
-use cbindgen::{Builder, Config, DocumentationLength, DocumentationStyle, Language, RenameRule, SortKey, Style};
+use cbindgen::{
+    Builder, Config, DocumentationLength, DocumentationStyle, Language, RenameRule, SortKey, Style,
+};
 use std::error::Error;
 use std::path::PathBuf;
 
@@ -50,7 +52,8 @@ fn generate() -> Result<String, Box<dyn Error>> {
     // A byte that C calls bool; Rust checks it before it believes it.
     config.export.rename.insert("Flag".into(), "bool".into());
     // Needed by the inline part or by users, whether or not a function mentions them.
-    config.export.include = ["mvVec2", "mvWorldId", "mvBodyId", "mvShapeId", "mvContactId"].map(str::to_owned).into();
+    config.export.include =
+        ["mvVec2", "mvWorldId", "mvBodyId", "mvShapeId", "mvContactId"].map(str::to_owned).into();
 
     let mut out = Vec::new();
     Builder::new().with_config(config).with_src(capi.join("mod.rs")).generate()?.write(&mut out);
@@ -59,7 +62,8 @@ fn generate() -> Result<String, Box<dyn Error>> {
         .split_inclusive('\n')
         .map(|l| if l.starts_with("typedef struct") { l.to_owned() } else { l.replace("struct mv", "mv") })
         .collect();
-    let stray = text.lines().find(|l| !l.is_ascii() || l.contains('`') || l.contains("](") || l.contains("\\["));
+    let stray =
+        text.lines().find(|l| !l.is_ascii() || l.contains('`') || l.contains("](") || l.contains("\\["));
     match stray {
         Some(line) => Err(format!("Markdown or non-ASCII in the C header: {line}").into()),
         None => Ok(text),
