@@ -1,6 +1,6 @@
 //! Distance, overlap and casts of convex point clouds and shapes without a world.
 
-use super::def::flag;
+use super::def_check::flag;
 use super::geometry::{NO_HIT, mvCastOutput};
 use super::guard::{call, count, needed, neutral, room, slice};
 use super::hull_data::{mvHullData, solid};

@@ -83,7 +83,7 @@ thread_local! {
 
 /// The latest fault of this thread.
 pub(super) fn take_fault() -> Fault {
-    FAULT.with(RefCell::take)
+    FAULT.try_with(RefCell::take).unwrap_or_default()
 }
 
 /// Panics inside the library are noted quietly; those of other Rust code in the process go where they went.

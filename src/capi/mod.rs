@@ -14,6 +14,7 @@
 #![allow(clippy::missing_safety_doc)]
 #![warn(missing_docs)]
 
+mod access;
 mod base;
 mod body;
 mod body_mass;
@@ -24,6 +25,7 @@ mod callback;
 mod collide;
 mod contact;
 mod def;
+mod def_check;
 mod distance;
 mod error;
 mod event;

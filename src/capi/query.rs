@@ -1,11 +1,12 @@
 //! Questions to a world. Each comes with a callback and in a form that fills an array.
 
+use super::access::read_world;
 use super::def::mvQueryFilter;
 use super::distance::{Cloud, mvShapeProxy};
 use super::guard::{Neutral, fill, needed, neutral, room};
 use super::id::{mvShapeId, mvWorldId};
 use super::math::{ORIGIN, ZERO3, mvAABB, mvPos, mvVec3};
-use super::registry::{in_callback, read_world};
+use super::registry::in_callback;
 use super::{Flag, mvFloat};
 use crate::error::Result;
 use crate::math::{Float, Vec3};

@@ -148,7 +148,7 @@ pub const ACTS: &[Act] = &[
             27 => drop(mvBody_GetLocalRotationalInertia(b)),
             28 => drop(mvBody_GetWorldInverseRotationalInertia(b)),
             29 => drop((mvBody_GetLocalCenter(b), mvBody_GetWorldCenter(b))),
-            30 => drop((mvBody_GetMassData(b),)),
+            30 => drop(mvBody_GetMassData(b)),
             31 => drop((mvBody_GetLinearDamping(b), mvBody_GetAngularDamping(b), mvBody_GetGravityScale(b))),
             32 => drop(mvBody_GetClosestPoint(b, None, v)),
             _ => {
@@ -251,7 +251,9 @@ pub const ACTS: &[Act] = &[
             }
         }
     }),
-    ("contact", |s| drop(mvContact_IsValid(s.contacts[s.r.late(s.contacts.len())]))),
+    ("contact", |s| {
+        let _ = mvContact_IsValid(s.contacts[s.r.late(s.contacts.len())]);
+    }),
     ("cast at body", |s| {
         let (b, o, v, f, t) = (s.body(), s.r.pos(), s.r.vec(), s.r.filter(), s.r.world_transform());
         with_proxy(s, |s, proxy| {
