@@ -1,6 +1,7 @@
 //! The seed's sample program: a ball falls on a floor from 4 m and bounces, 100 updates a second. Prints every hit
 //! beside what the document printed and what physics says.
 
+use merev::math::scalar::double;
 use merev::{Float, Shape, WorldBuilder};
 
 const STEP: f64 = 1.0 / 100.0;
@@ -19,7 +20,7 @@ pub struct Hit {
 }
 
 /// Runs the sample for `seconds`.
-#[cfg_attr(not(feature = "f64"), allow(clippy::cast_possible_truncation))]
+#[cfg_attr(feature = "f64", allow(clippy::unnecessary_cast, clippy::useless_conversion))]
 pub fn run(seconds: f64) -> Vec<Hit> {
     let mut world = WorldBuilder::new()
         .down_gravity(GRAVITY as Float)
@@ -36,7 +37,7 @@ pub fn run(seconds: f64) -> Vec<Hit> {
         let touches = world.contacts().count() > 0;
         if touches && !touched {
             let ball = world.get(ball).expect("nobody removes the ball");
-            hits.push(Hit { time: f64::from(step) * STEP, momentum: f64::from(ball.momentum().y) });
+            hits.push(Hit { time: f64::from(step) * STEP, momentum: double(ball.momentum().y) });
         }
         touched = touches;
     }

@@ -26,8 +26,8 @@ pub use error::{Error, ErrorCode, Result};
 pub use math::Aabb as AABB;
 pub use math::{Aabb, Float, Mat3, Pose, Quat, Vec3};
 pub use shape::Shape;
+pub use world::{BodyDef, BodyId, BodyType, ShapeDef, ShapeId, World, WorldDef};
 pub use world::{
     ObjID, RigidBodyId, RigidBodyRef, RigidbodyBuilder, StaticBodyId, StaticbodyBuilder, StaticbodyRef,
     WorldBuilder, WorldConfig,
 };
-pub use world::{BodyDef, BodyId, BodyType, ShapeDef, ShapeId, World, WorldDef};

@@ -20,7 +20,11 @@ fn heap(world: &mut World, at: Float) -> Vec<BodyId> {
     world.create_body_with_shape(&sweeper, &ShapeDef::default(), Shape::new_box(1.0, 1.0, 6.0)).unwrap();
     (0..150)
         .map(|i| {
-            let place = vec3(at + (i % 5) as Float * 1.6 - 3.2, 1.0 + (i / 25) as Float * 1.6, (i / 5 % 5) as Float * 1.6 - 3.2);
+            let place = vec3(
+                at + (i % 5) as Float * 1.6 - 3.2,
+                1.0 + (i / 25) as Float * 1.6,
+                (i / 5 % 5) as Float * 1.6 - 3.2,
+            );
             let mut body = BodyDef::dynamic(place + random.vec(0.2));
             body.rotation = random.rotation();
             body.linear_velocity = random.vec(2.0);

@@ -3,13 +3,13 @@
 mod common;
 
 use common::Random;
-use merev::math::{Vec3, length, vec3};
+use merev::math::{Vec3, length, scalar::double, vec3};
 use merev::world::{BodyDef, ShapeDef, WorldDef};
 use merev::{Float, Shape, World};
 
 /// Σ p, Σ (L + x × p), Σ |p| and Σ |L + x × p|, in double precision.
 fn totals(world: &World) -> ([f64; 3], [f64; 3], f64, f64) {
-    let wide = |v: Vec3| [f64::from(v.x), f64::from(v.y), f64::from(v.z)];
+    let wide = |v: Vec3| [double(v.x), double(v.y), double(v.z)];
     let norm = |a: [f64; 3]| a.iter().map(|x| x * x).sum::<f64>().sqrt();
     let (mut p, mut l, mut sum_p, mut sum_l) = ([0.0; 3], [0.0; 3], 0.0, 0.0);
     for id in world.bodies() {

@@ -13,8 +13,10 @@ fn four_hundred_posts_under_one_plate_give_400_contacts() {
         world.create_body_with_shape(&BodyDef::fixed(at), &ShapeDef::default(), post).unwrap();
     }
     let plate = BodyDef::dynamic(vec3(0.0, 1.1, 0.0));
-    let plate =
-        world.create_body_with_shape(&plate, &ShapeDef::default(), Shape::new_box(20.0, 0.2, 20.0)).unwrap().0;
+    let plate = world
+        .create_body_with_shape(&plate, &ShapeDef::default(), Shape::new_box(20.0, 0.2, 20.0))
+        .unwrap()
+        .0;
     for _ in 0..60 {
         world.try_step(1.0 / 60.0, 4).unwrap();
     }
@@ -32,7 +34,9 @@ fn spheres_in_one_spot_give_all_their_pairs_under_a_kilobyte_each() {
     for i in 0..n {
         // Not the same point for all: the pile has to know where to go.
         let at = vec3((i % 10) as Float, (i / 10 % 10) as Float, (i / 100) as Float) * 1e-3;
-        world.create_body_with_shape(&BodyDef::dynamic(at), &ShapeDef::default(), Shape::new_sphere(1.0)).unwrap();
+        world
+            .create_body_with_shape(&BodyDef::dynamic(at), &ShapeDef::default(), Shape::new_sphere(1.0))
+            .unwrap();
     }
     world.try_step(1.0 / 60.0, 1).unwrap();
     let pairs = n * (n - 1) / 2;

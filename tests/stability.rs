@@ -50,8 +50,11 @@ fn pyramids_of_10_and_100_rows_stand() {
             let start: Vec<Vec3> = bodies.iter().map(|&b| scene.position(b)).collect();
             scene.steps(600);
             let top = scene.position(*bodies.last().unwrap());
-            let sideways =
-                bodies.iter().zip(&start).map(|(&b, s)| (scene.position(b) - s).z.abs()).fold(0.0, Float::max);
+            let sideways = bodies
+                .iter()
+                .zip(&start)
+                .map(|(&b, s)| (scene.position(b) - s).z.abs())
+                .fold(0.0, Float::max);
             println!("pyramid of {rows}: top at {:.4} m, {:.4} m sideways", top.y, sideways);
             assert!(top.y > rows as Float - 1.2, "pyramid of {rows}: top at {}", top.y);
             assert!(sideways < 0.2, "pyramid of {rows}: {sideways} m sideways");

@@ -144,11 +144,8 @@ mod tests {
     use crate::math::{quat_about, vec3};
 
     fn brick() -> MassProps {
-        let data = MassData {
-            mass: 2.0,
-            center: Vec3::zeros(),
-            inertia: Mat3::from_diagonal(&vec3(1.0, 2.0, 4.0)),
-        };
+        let data =
+            MassData { mass: 2.0, center: Vec3::zeros(), inertia: Mat3::from_diagonal(&vec3(1.0, 2.0, 4.0)) };
         MassProps::new(&data, 1.0)
     }
 

@@ -104,8 +104,7 @@ impl BodySet {
     /// Recomputes I_w⁻¹ from the rotation.
     #[inline]
     pub fn refresh_inertia(&mut self, row: usize) {
-        self.inv_inertia[row] =
-            self.mass[row].world_inv_inertia(&self.motion[row].q, &self.drive[row].locks);
+        self.inv_inertia[row] = self.mass[row].world_inv_inertia(&self.motion[row].q, &self.drive[row].locks);
     }
 
     /// The placement of the body's origin.
@@ -153,7 +152,8 @@ impl BodyStore {
     /// Adds a body with the stable index `index`, without shapes or mass.
     pub fn add(&mut self, index: usize, def: &BodyDef, rotation: crate::math::Quat) {
         let kinematic = def.body_type == BodyType::Kinematic;
-        let locks = if def.body_type == BodyType::Dynamic { def.motion_locks } else { MotionLocks::default() };
+        let locks =
+            if def.body_type == BodyType::Dynamic { def.motion_locks } else { MotionLocks::default() };
         let set = match def.body_type {
             _ if !def.is_enabled => SetId::DISABLED,
             BodyType::Static => SetId::STATIC,
@@ -277,7 +277,8 @@ impl BodyStore {
     /// Bytes held, names aside.
     #[must_use]
     pub fn byte_count(&self) -> usize {
-        let lists: usize = self.bodies.iter().map(|b| 4 * (b.shapes.capacity() + b.contacts.capacity())).sum();
+        let lists: usize =
+            self.bodies.iter().map(|b| 4 * (b.shapes.capacity() + b.contacts.capacity())).sum();
         self.bodies.capacity() * size_of::<Body>()
             + lists
             + self.sets.iter().map(BodySet::byte_count).sum::<usize>()

@@ -165,7 +165,10 @@ impl IslandStore {
             let anchored = bodies[body as usize].contacts.iter().any(|&c| {
                 let contact = &contacts[c as usize];
                 contact.is(flags::CONSTRAINT)
-                    && contact.body.iter().any(|&b| bodies[b as usize].body_type != crate::world::BodyType::Dynamic)
+                    && contact
+                        .body
+                        .iter()
+                        .any(|&b| bodies[b as usize].body_type != crate::world::BodyType::Dynamic)
             });
             if anchored {
                 self.depth[place] = 1;

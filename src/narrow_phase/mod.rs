@@ -29,9 +29,9 @@ mod query;
 mod reduce;
 mod sat;
 mod segment;
-mod witness;
 #[cfg(test)]
 mod tests;
+mod witness;
 
 use crate::math::{Float, Pose};
 use crate::shape::Shape;

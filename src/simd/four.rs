@@ -133,7 +133,12 @@ mod register {
         }
         #[inline(always)]
         fn gather(rows: impl Fn(usize) -> Quad) -> [Self; 4] {
-            Self::transpose([Self::load(rows(0)), Self::load(rows(1)), Self::load(rows(2)), Self::load(rows(3))])
+            Self::transpose([
+                Self::load(rows(0)),
+                Self::load(rows(1)),
+                Self::load(rows(2)),
+                Self::load(rows(3)),
+            ])
         }
         #[inline(always)]
         fn scatter(columns: [Self; 4], mut write: impl FnMut(usize, Quad)) {

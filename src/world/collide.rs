@@ -228,10 +228,7 @@ impl World {
         let margin = CONTACT_MARGIN * size + way.min(size);
 
         // a_from_b, from the difference of the centres: exact far from the origin, too.
-        let a_from_b = Pose::new(
-            rotate_back(&a.q, (b.x - a.x) + b.arm - a.arm),
-            a.q.conjugate() * b.q,
-        );
+        let a_from_b = Pose::new(rotate_back(&a.q, (b.x - a.x) + b.arm - a.arm), a.q.conjugate() * b.q);
         let mut manifold = Manifold::default();
         narrow_phase::collide(
             &a.collider.shape,
@@ -247,17 +244,21 @@ impl World {
         if a.asleep || b.asleep {
             // A sleeper is woken by what will touch it in this step, not by what passes by.
             let approach = normal.dot(&relative) * dt - a.spin_way - b.spin_way;
-            if manifold.points[..manifold.count].iter().all(|p| p.separation > 0.0 && p.separation + approach > 0.0) {
+            if manifold.points[..manifold.count]
+                .iter()
+                .all(|p| p.separation > 0.0 && p.separation + approach > 0.0)
+            {
                 manifold.count = 0;
             }
         }
-        if manifold.count > 0 && contact.is(flags::PRE_SOLVE) {
-            if let Some(ask) = &self.callbacks.pre_solve {
-                let point = a.x + a.arm + rotate(&a.q, manifold.points[0].point);
-                let [sa, sb] = contact.shape.map(|s| self.shape_id(s as usize));
-                if !ask(self, sa, sb, point, normal) {
-                    manifold.count = 0;
-                }
+        if let Some(ask) = &self.callbacks.pre_solve
+            && manifold.count > 0
+            && contact.is(flags::PRE_SOLVE)
+        {
+            let point = a.x + a.arm + rotate(&a.q, manifold.points[0].point);
+            let [sa, sb] = contact.shape.map(|s| self.shape_id(s as usize));
+            if !ask(self, sa, sb, point, normal) {
+                manifold.count = 0;
             }
         }
         self.carry_impulses(contact, &manifold, normal, &a, &b, size);
@@ -265,7 +266,15 @@ impl World {
     }
 
     /// Takes the new points in; those with known features keep their impulses.
-    fn carry_impulses(&self, contact: &mut Contact, manifold: &Manifold, normal: Vec3, a: &Side<'_>, b: &Side<'_>, size: Float) {
+    fn carry_impulses(
+        &self,
+        contact: &mut Contact,
+        manifold: &Manifold,
+        normal: Vec3,
+        a: &Side<'_>,
+        b: &Side<'_>,
+        size: Float,
+    ) {
         let (mut old, old_count) = (contact.points, contact.count as usize);
         let old = &mut old[..old_count];
         contact.normal = normal;
@@ -289,8 +298,7 @@ impl World {
             point.separation = new.separation;
             point.feature = new.feature;
             let arm_b = point.anchor + (a.x - b.x);
-            point.approach =
-                normal.dot(&(b.v + b.w.cross(&arm_b) - a.v - a.w.cross(&point.anchor)));
+            point.approach = normal.dot(&(b.v + b.w.cross(&arm_b) - a.v - a.w.cross(&point.anchor)));
         }
         contact.total_friction = Vec3::zeros();
         if contact.count == 0 {

@@ -1,8 +1,8 @@
 //! A shape attached to a body.
 
 use super::def::{Filter, ShapeDef, SurfaceMaterial};
-use crate::math::{Aabb, Float, Pose, Vec3, vec3};
 use crate::math::tolerance::MAX_COORDINATE;
+use crate::math::{Aabb, Float, Pose, Vec3, vec3};
 use crate::shape::{MassData, Shape};
 
 /// A shape attached to a body. Found by a stable index, which also is its proxy in the broad phase.

@@ -110,10 +110,16 @@ impl WorldDef {
         check::not_negative("contact_speed", self.contact_speed)?;
         speed_limit(self.maximum_linear_speed)?;
         if self.worker_count != 1 {
-            return Err(Error::new(ErrorCode::Unsupported, "worker_count must be 1: more threads are not built yet."));
+            return Err(Error::new(
+                ErrorCode::Unsupported,
+                "worker_count must be 1: more threads are not built yet.",
+            ));
         }
         if check::not_negative("accuracy", self.accuracy)? != 0.0 {
-            return Err(Error::new(ErrorCode::Unsupported, "accuracy must be 0: error control is not built yet."));
+            return Err(Error::new(
+                ErrorCode::Unsupported,
+                "accuracy must be 0: error control is not built yet.",
+            ));
         }
         Ok(())
     }

@@ -160,8 +160,8 @@ impl World {
                 continue;
             }
             let drive = &awake.drive[row];
-            let speed = length(awake.velocity(row))
-                .max(length(awake.angular_velocity(row)) * awake.mass[row].extent);
+            let speed =
+                length(awake.velocity(row)).max(length(awake.angular_velocity(row)) * awake.mass[row].extent);
             let time = if drive.enable_sleep && speed <= drive.sleep_threshold {
                 awake.slow_time[row] + dt
             } else {
@@ -171,8 +171,8 @@ impl World {
             let least = &mut slow[island as usize];
             *least = least.min(time);
         }
-        for island in 0..slow.len() {
-            if slow[island] == Float::MAX || slow[island] < TIME_TO_SLEEP {
+        for (island, &time) in slow.iter().enumerate() {
+            if time == Float::MAX || time < TIME_TO_SLEEP {
                 continue;
             }
             if self.touches_moving_kinematic(island) {

@@ -12,9 +12,7 @@ mod step;
 mod view;
 
 pub use collider::Collider;
-pub use def::{
-    BodyDef, BodyType, Filter, MotionLocks, QueryFilter, ShapeDef, SurfaceMaterial, WorldDef,
-};
+pub use def::{BodyDef, BodyType, Filter, MotionLocks, QueryFilter, ShapeDef, SurfaceMaterial, WorldDef};
 pub use id::{BodyId, ContactId, IdPool, Identity, ShapeId};
 pub use query::ShapeHit;
 pub use report::{Counters, Profile, StepReport};
@@ -28,9 +26,7 @@ use crate::body::{BodyStore, MassProps, SetId};
 use crate::broad_phase::{BroadPhase, Layer, PairSet};
 use crate::constraint::{ContactStore, contact::flags};
 use crate::error::{Error, ErrorCode, Result, check};
-use crate::event::{
-    BodyMoveEvent, ContactBeginEvent, ContactEndEvent, ContactHitEvent, Events,
-};
+use crate::event::{BodyMoveEvent, ContactBeginEvent, ContactEndEvent, ContactHitEvent, Events};
 use crate::island::{IslandStore, color::Coloring};
 use crate::math::{Float, Pose, Vec3};
 use crate::shape::{MassData, Shape};
@@ -221,7 +217,8 @@ impl World {
     /// NotFinite, Range.
     pub fn set_contact_tuning(&mut self, stiffness: Float, damping_ratio: Float, speed: Float) -> Result<()> {
         let mut def = self.def.clone();
-        (def.contact_stiffness, def.contact_damping_ratio, def.contact_speed) = (stiffness, damping_ratio, speed);
+        (def.contact_stiffness, def.contact_damping_ratio, def.contact_speed) =
+            (stiffness, damping_ratio, speed);
         def.validate()?;
         self.def = def;
         Ok(())
@@ -355,7 +352,13 @@ impl World {
     ///
     /// # Errors
     /// Null, foreign or stale id; what [`ShapeDef::validate`] says; a half-space on a body that moves.
-    pub fn create_shape(&mut self, body: BodyId, def: &ShapeDef, shape: Shape, local: Pose) -> Result<ShapeId> {
+    pub fn create_shape(
+        &mut self,
+        body: BodyId,
+        def: &ShapeDef,
+        shape: Shape,
+        local: Pose,
+    ) -> Result<ShapeId> {
         let body_index = self.body_index(body)?;
         def.validate()?;
         let local = check::pose("local pose", &local)?;

@@ -3,7 +3,7 @@
 use super::World;
 use crate::body::SetId;
 use crate::constraint::contact::flags;
-use crate::math::{Float, Quat, Vec3};
+use crate::math::{Float, Quat, Vec3, scalar::double};
 
 /// Milliseconds of the last step, by stage. Differs from run to run and is no part of the state.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -134,7 +134,7 @@ impl World {
     pub fn step_report(&self) -> StepReport {
         let (mut kinetic, mut potential) = (0.0, 0.0);
         let (mut p, mut l) = ([0.0; 3], [0.0; 3]);
-        let wide = |v: Vec3| [f64::from(v.x), f64::from(v.y), f64::from(v.z)];
+        let wide = |v: Vec3| [double(v.x), double(v.y), double(v.z)];
         let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
         for (k, set) in self.bodies.sets.iter().enumerate() {
             if k < SetId::AWAKE.0 as usize {
@@ -147,9 +147,9 @@ impl World {
                 }
                 let motion = &set.motion[row];
                 let (x, pb, lb) = (wide(motion.x), wide(motion.p), wide(motion.l));
-                let m = f64::from(mass.mass);
+                let m = double(mass.mass);
                 kinetic += 0.5 * (dot(pb, pb) / m + dot(lb, wide(set.angular_velocity(row))));
-                potential -= m * f64::from(set.drive[row].gravity_scale) * dot(wide(self.def.gravity), x);
+                potential -= m * double(set.drive[row].gravity_scale) * dot(wide(self.def.gravity), x);
                 for i in 0..3 {
                     p[i] += pb[i];
                     let (j, k) = ((i + 1) % 3, (i + 2) % 3);
@@ -263,6 +263,7 @@ impl Hash {
         self.0 ^= self.0 >> 29;
     }
 
+    #[cfg_attr(feature = "f64", allow(clippy::useless_conversion))]
     fn scalar(&mut self, x: Float) {
         // −0 and 0 are the same state.
         self.word(u64::from((x + 0.0).to_bits()));

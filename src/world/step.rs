@@ -18,7 +18,10 @@ impl World {
     pub fn try_step(&mut self, dt: Float, sub_steps: u32) -> Result<()> {
         check::not_negative("time_step", dt)?;
         if !(1..=1000).contains(&sub_steps) {
-            return Err(Error::new(ErrorCode::Range, format!("sub_steps is {sub_steps}; it must be 1 … 1000.")));
+            return Err(Error::new(
+                ErrorCode::Range,
+                format!("sub_steps is {sub_steps}; it must be 1 … 1000."),
+            ));
         }
         let settings = self.begin(dt, sub_steps);
         let mut clock = Clock::start();
@@ -31,7 +34,13 @@ impl World {
         self.build_islands();
         self.profile.build_islands = clock.lap();
         if dt > 0.0 {
-            soft_step::prepare(&mut self.work, &self.bodies, &mut self.contacts, &mut self.islands, &settings);
+            soft_step::prepare(
+                &mut self.work,
+                &self.bodies,
+                &mut self.contacts,
+                &mut self.islands,
+                &settings,
+            );
             self.profile.prepare = clock.lap();
             soft_step::solve(&mut self.work, &self.bodies, &mut self.contacts, &settings);
             self.profile.solve = clock.lap();
@@ -133,7 +142,8 @@ impl World {
                 .iter()
                 .any(|p| p.total > 0.0 || p.separation <= if was { slack } else { 0.0 });
             if contact.is(flags::EVENTS) && is != was {
-                let (a, b) = (self.shape_id(contact.shape[0] as usize), self.shape_id(contact.shape[1] as usize));
+                let (a, b) =
+                    (self.shape_id(contact.shape[0] as usize), self.shape_id(contact.shape[1] as usize));
                 let id = self.contact_id(index);
                 if is {
                     self.events.begin.push(ContactBeginEvent { shape_a: a, shape_b: b, contact: id });

@@ -680,7 +680,10 @@ impl BodyMut<'_> {
             return Ok(());
         }
         if body_type != BodyType::Static
-            && body.shapes.iter().any(|&s| matches!(self.world.colliders[s as usize].shape, Shape::HalfSpace(_)))
+            && body
+                .shapes
+                .iter()
+                .any(|&s| matches!(self.world.colliders[s as usize].shape, Shape::HalfSpace(_)))
         {
             return Err(Error::new(ErrorCode::Range, "A half-space has no mass; its body must be static."));
         }

@@ -308,9 +308,9 @@ impl<L: Lane, const P: usize> Friction<L, P> {
         apply(a, b, p, ra, rb);
 
         if P > 1 {
-            let mut limit = points[0].lambda * self.lever[0];
-            for k in 1..P {
-                limit = limit + points[k].lambda * self.lever[k];
+            let mut limit = L::zero();
+            for (p, &lever) in points.iter().zip(&self.lever) {
+                limit = limit + p.lambda * lever;
             }
             let limit = limit * self.mu;
             let wn = n.dot(b.w - a.w);
@@ -358,11 +358,8 @@ impl<L: Lane, const P: usize> FrictionPart<L, P> for Friction<L, P> {
         let (ia0, ib0) = (a.inv_inertia.times(a0), b.inv_inertia.times(b0));
         let (ia1, ib1) = (a.inv_inertia.times(a1), b.inv_inertia.times(b1));
         let m = a.inv_mass + b.inv_mass;
-        self.mass = inverse2(
-            m + a0.dot(ia0) + b0.dot(ib0),
-            a0.dot(ia1) + b0.dot(ib1),
-            m + a1.dot(ia1) + b1.dot(ib1),
-        );
+        self.mass =
+            inverse2(m + a0.dot(ia0) + b0.dot(ib0), a0.dot(ia1) + b0.dot(ib1), m + a1.dot(ia1) + b1.dot(ib1));
         if P > 1 {
             let k = n.dot(a.inv_inertia.times(n)) + n.dot(b.inv_inertia.times(n));
             self.twist_mass = inverse(k);

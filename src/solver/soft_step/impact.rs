@@ -32,16 +32,16 @@ pub fn find<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>>
         // A body that constraints hold does not accelerate freely.
         let free = |i: usize| if rows.aux[i].supported { Vec3::zeros() } else { rows.aux[i].accel };
         let accel = n.dot(&(free(b) - free(a)));
-        for k in 0..P {
+        for (k, point) in points.iter().enumerate() {
             impact.on[k].put(lane, 0.0);
-            if points[k].mass.get(lane) <= 0.0 {
+            if point.mass.get(lane) <= 0.0 {
                 continue;
             }
-            let ra = points[k].r.get(lane);
+            let ra = point.r.get(lane);
             let rb = ra + offset.get(lane);
             let moved_a = row_a.dx() + rotate(&row_a.dq(), ra) - ra;
             let moved_b = row_b.dx() + rotate(&row_b.dq(), rb) - rb;
-            let gap = points[k].separation.get(lane) + n.dot(&(moved_b - moved_a));
+            let gap = point.separation.get(lane) + n.dot(&(moved_b - moved_a));
             let v = n.dot(&(row_b.v() + row_b.w().cross(&rb) - row_a.v() - row_a.w().cross(&ra)));
             if let Some((mean, end)) = reflect(gap, v, accel, restitution, sub) {
                 impact.on[k].put(lane, 1.0);

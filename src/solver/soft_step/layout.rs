@@ -1,9 +1,9 @@
 //! Lays the constraints of the awake islands out by (batch, colour, kind) and their bodies by batch.
 
-use super::{Settings, soft};
 use super::kinds::{KINDS, Kind, KindTable, Placed, kind_of};
 use super::preload::Preload;
 use super::rows::{Aux, InertiaRow, Row, Rows};
+use super::{Settings, soft};
 use crate::body::{BodySet, BodyStore, NONE};
 use crate::constraint::{ContactStore, contact::flags};
 use crate::island::IslandStore;
@@ -209,12 +209,12 @@ impl Workspace {
             let island = island_of(bodies, contact.body).expect("sorted ones have an island");
             let sum: Float = contact.points().iter().map(|p| p.impulse).sum();
             let mut masses = [0.0; 2];
-            for side in 0..2 {
-                let body = &bodies.bodies[contact.body[side] as usize];
+            for (mass, &body) in masses.iter_mut().zip(&contact.body) {
+                let body = &bodies.bodies[body as usize];
                 if body.island != NONE {
                     let row = self.row_of[body.row as usize] as usize;
                     self.load[row] += sum;
-                    masses[side] = self.rows.aux[row].mass;
+                    *mass = self.rows.aux[row].mass;
                 }
             }
             if masses[0] > 0.0 && masses[1] > 0.0 {
@@ -244,7 +244,8 @@ impl Workspace {
         self.overflow = 0;
         for &c in &contacts.awake {
             let contact = &contacts.contacts[c as usize];
-            let Some(island) = island_of(bodies, contact.body).filter(|_| contact.is(flags::CONSTRAINT)) else {
+            let Some(island) = island_of(bodies, contact.body).filter(|_| contact.is(flags::CONSTRAINT))
+            else {
                 continue;
             };
             let color = if contact.color == OVERFLOW {
@@ -281,7 +282,7 @@ impl Workspace {
                 kind.clear();
             }
         }
-        debug_assert!(KINDS <= 32);
+        const { assert!(KINDS <= 32) };
         self.groups.clear();
         self.kinematic_copy.clear();
         self.kinematic_copy.resize(bodies.awake().len(), [NONE; 2]);

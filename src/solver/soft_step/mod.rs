@@ -65,11 +65,7 @@ impl Settings {
     fn sub_step(&self) -> SubStep {
         let h = self.dt / self.sub_steps as Float;
         let inv_h = 1.0 / h;
-        SubStep {
-            h,
-            inv_h,
-            restitution_threshold: self.restitution_threshold,
-        }
+        SubStep { h, inv_h, restitution_threshold: self.restitution_threshold }
     }
 }
 

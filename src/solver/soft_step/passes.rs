@@ -159,7 +159,8 @@ impl Workspace {
                 } else {
                     w
                 };
-                let q_ok = new.q.w.is_finite() && new.q.i.is_finite() && new.q.j.is_finite() && new.q.k.is_finite();
+                let q_ok =
+                    new.q.w.is_finite() && new.q.i.is_finite() && new.q.j.is_finite() && new.q.k.is_finite();
                 if !(is_finite(new.x) && is_finite(new.p) && is_finite(new.l) && q_ok) {
                     broken.push(set.index[at]);
                     continue;

@@ -116,6 +116,18 @@ impl Default for Settings {
 }
 
 /// Makes a [`World`] step by step. What is not said stays at the default of [`WorldConfig`].
+///
+/// ```
+/// use merev::{Shape, WorldBuilder};
+///
+/// let mut world = WorldBuilder::new().down_gravity(10.0).bounciness(0.9).build();
+/// world.add_staticbody(Shape::new_box(10.0, 1.0, 10.0)).pos(0.0, -5.0, 0.0).finish();
+/// let ball = world.add_rigidbody(Shape::new_sphere(1.0)).finish();
+/// for _ in 0..50 {
+///     world.update(0.01);
+/// }
+/// assert!(world.get(ball).unwrap().position().y < -1.0);
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 #[must_use = "there is no world before `build`"]
 pub struct WorldBuilder {

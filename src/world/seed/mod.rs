@@ -4,18 +4,6 @@
 //! Every call that can fail has a twin named `try_…` that returns the error; the plain call panics with the
 //! error's sentence. Both kinds of calls can be mixed with the rest of [`World`]: a [`RigidBodyId`] converts into
 //! the [`BodyId`] it is.
-//!
-//! ```
-//! use merev::{Shape, WorldBuilder};
-//!
-//! let mut world = WorldBuilder::new().down_gravity(10.0).bounciness(0.9).build();
-//! world.add_staticbody(Shape::new_box(10.0, 1.0, 10.0)).pos(0.0, -5.0, 0.0).finish();
-//! let ball = world.add_rigidbody(Shape::new_sphere(1.0)).finish();
-//! for _ in 0..50 {
-//!     world.update(0.01);
-//! }
-//! assert!(world.get(ball).unwrap().position().y < -1.0);
-//! ```
 
 mod build;
 mod config;

@@ -1,5 +1,4 @@
-//! What a contact costs. Not a test of right or wrong: run it by hand with
-//! `cargo test --release --test geometry_speed -- --ignored --nocapture`.
+//! What a contact costs, in ns a call: `cargo bench --bench narrow_phase`.
 
 use merev::math::{quat_about, vec3};
 use merev::narrow_phase::{Cache, Manifold, NarrowPhaseKind, collide, distance};
@@ -31,9 +30,7 @@ fn ball(n: usize) -> Shape {
     Shape::hull(&points).unwrap()
 }
 
-#[test]
-#[ignore = "a benchmark"]
-fn contacts() {
+fn main() {
     let cube = Shape::new_box(1.0, 1.0, 1.0);
     let corners: Vec<Vec3> = (0..8)
         .map(|i| vec3((i & 1) as Float, (i >> 1 & 1) as Float, (i >> 2) as Float) - vec3(0.5, 0.5, 0.5))
