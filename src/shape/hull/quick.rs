@@ -64,7 +64,12 @@ struct Rim {
 /// within `flat` of the hull count as inside. At most `max_vertices` vertices: the farthest points come first, so
 /// what is left out then is what matters least.
 /// `None` where a face of the seed is too thin to have a plane.
-pub(super) fn triangles(points: &[Wide], seed: [u32; 4], flat: f64, max_vertices: usize) -> Option<Vec<[u32; 3]>> {
+pub(super) fn triangles(
+    points: &[Wide],
+    seed: [u32; 4],
+    flat: f64,
+    max_vertices: usize,
+) -> Option<Vec<[u32; 3]>> {
     let mut hull = tetrahedron(points, seed)?;
     let mut uses = vec![0_u32; points.len()];
     for t in &hull {
