@@ -1,6 +1,6 @@
 //! What exported functions call: guard → look up a world and take its lock → look up a body or shape → one call.
 
-use super::guard::{Neutral, call};
+use super::guard::{Neutral, call, caught};
 use super::id::{mvBodyId, mvContactId, mvShapeId, mvWorldId};
 use super::registry::{Edit, Target, View, read, write};
 use crate::error::Result;
@@ -51,21 +51,17 @@ pub(super) fn edit_at_shape<R: Neutral>(id: mvShapeId, f: impl FnOnce(Edit<'_>) 
 
 /// Whether the body lives; false also when nobody may look now.
 pub(super) fn is_body(id: mvBodyId) -> bool {
-    Target::of(id.index1, id.world0, "body")
-        .and_then(|t| read(t, |v| v.world.body(id.into()).map(|_| ())))
-        .is_ok()
+    caught(|| look_up_body(id)).is_ok()
 }
 
 /// Whether the shape lives; false also when nobody may look now.
 pub(super) fn is_shape(id: mvShapeId) -> bool {
-    Target::of(id.index1, id.world0, "shape")
-        .and_then(|t| read(t, |v| v.world.shape(id.into()).map(|_| ())))
-        .is_ok()
+    caught(|| look_up_shape(id)).is_ok()
 }
 
 /// Whether the contact's world can be read now and says so.
 pub(super) fn is_contact(id: mvContactId, f: impl FnOnce(View<'_>) -> bool) -> bool {
-    Target::of(id.index1, id.world0, "contact").and_then(|t| read(t, |v| Ok(f(v)))).unwrap_or(false)
+    caught(|| read(Target::of(id.index1, id.world0, "contact")?, |v| Ok(f(v)))).unwrap_or(false)
 }
 
 // The same in pieces, for calls that have work to do between looking up and writing.

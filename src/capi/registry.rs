@@ -194,11 +194,18 @@ fn check_fault(place: &Place) -> Result<()> {
     Ok(())
 }
 
-/// `f`, whose internal faults break the world.
+/// `f`, whose internal faults break the world. A panic goes on to the guard, which stands around every call.
 fn watched<R>(place: &Place, f: impl FnOnce() -> Result<R>) -> Result<R> {
-    let result = caught(f);
-    if matches!(&result, Err(e) if e.code() == ErrorCode::Internal) {
-        place.faulted.store(true, Release);
+    struct Watch<'a>(&'a Place);
+    impl Drop for Watch<'_> {
+        fn drop(&mut self) {
+            self.0.faulted.store(true, Release);
+        }
+    }
+    let watch = Watch(place);
+    let result = f();
+    if !matches!(&result, Err(e) if e.code() == ErrorCode::Internal) {
+        std::mem::forget(watch);
     }
     result
 }
