@@ -644,7 +644,7 @@ typedef struct mvCapsule {
  */
 typedef struct mvHullData {
     /**
-     * Identifies a hull of this version and precision of the library.
+     * Identifies a hull of this version and precision of the library, and of this many bytes.
      */
     uint64_t version;
     /**
