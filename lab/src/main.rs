@@ -1,1 +1,98 @@
-fn main() {}
+//! The lab of merev: scenes, measurements and replay pages.
+
+mod bounce;
+mod engines;
+mod programs;
+mod progress;
+mod race;
+mod replay;
+mod scene;
+mod scenes;
+mod table;
+mod tour;
+
+use clap::{Parser, Subcommand};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Scenes, measurements and replay pages for merev. Without a command: runs a bouncing ball and pyramids through
+/// the C interface, prints what they cost and how exact they are, and writes a page that replays them.
+#[derive(Parser)]
+#[command(name = "merev", version, about)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// List the scenes and the engines.
+    List,
+    /// Time a scene, and say how good the result is.
+    Race {
+        /// The scene, see `merev list`.
+        scene: String,
+        /// Run it on the other engines too (needs the feature `peers`).
+        #[arg(long)]
+        peers: bool,
+        /// Number of steps; by default the scene's.
+        #[arg(long, value_parser = clap::value_parser!(u32).range(2..))]
+        steps: Option<u32>,
+        /// How often to run it on each engine.
+        #[arg(long, default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..))]
+        repeats: u32,
+        /// Write the report into this file too.
+        #[arg(long)]
+        out: Option<PathBuf>,
+    },
+}
+
+fn main() -> ExitCode {
+    match run(Arguments::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("merev: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(arguments: Arguments) -> Result<(), String> {
+    match arguments.command {
+        None => tour::run(),
+        Some(Command::List) => {
+            list();
+            Ok(())
+        }
+        Some(Command::Race { scene, peers, steps, repeats, out }) => {
+            if peers && engines::ALL.len() == 1 {
+                return Err("no peers were built in; build with `--features peers`".into());
+            }
+            let scene =
+                scenes::find(&scene).ok_or(format!("there is no scene `{scene}`; see `merev list`"))?;
+            let steps = steps.map_or(scene.steps, |n| n as usize);
+            let report = race::run(&scene, &race::Options { steps, repeats: repeats as usize, peers });
+            print!("{report}");
+            match out {
+                Some(path) => std::fs::write(&path, report)
+                    .map_err(|e| format!("{} is not written: {e}", path.display())),
+                None => Ok(()),
+            }
+        }
+    }
+}
+
+fn list() {
+    let mut table = table::Table::new(&["scene", "bodies", "steps", "about"]);
+    for scene in scenes::ALL.iter().map(|build| build()) {
+        table.row([
+            scene.name.to_string(),
+            scene.dynamic_count().to_string(),
+            scene.steps.to_string(),
+            scene.about.to_string(),
+        ]);
+    }
+    print!("{table}");
+    let names: Vec<&str> = engines::ALL.iter().map(|maker| maker.name).collect();
+    println!("\nengines: {}", names.join(", "));
+}

@@ -70,6 +70,8 @@ pub struct Contact {
     pub restitution: Float,
     /// Lever of the rolling resistance \[m\].
     pub rolling_lever: Float,
+    /// Radii of the rounding of A and B \[m\]: a round surface turns under its contact point, which stays.
+    pub rounding: [Float; 2],
     /// Velocity of B's surface against A's as of a conveyor, world axes \[m/s\].
     pub conveyor: Vec3,
     /// Friction impulse on B of the last sub-step, world axes \[N s\].
@@ -102,6 +104,7 @@ impl Contact {
             static_friction: 0.0,
             restitution: 0.0,
             rolling_lever: 0.0,
+            rounding: [0.0; 2],
             conveyor: Vec3::zeros(),
             friction_impulse: Vec3::zeros(),
             twist_impulse: 0.0,

@@ -198,6 +198,12 @@ impl Shape {
         each!(self, s => s.ray_cast(origin, translation, max_fraction))
     }
 
+    /// The radius about the shape's core points \[m\]; 0 for shapes without a rounding.
+    #[must_use]
+    pub fn rounding(&self) -> Float {
+        self.core().map_or(0.0, |core| core.radius)
+    }
+
     /// The shape as core points and a radius; `None` for a half-space, which has no such form.
     #[must_use]
     #[inline]

@@ -141,6 +141,7 @@ impl World {
         contact.set(flags::EVENTS, a.contact_events || b.contact_events);
         contact.set(flags::HIT_EVENTS, a.hit_events || b.hit_events);
         contact.set(flags::PRE_SOLVE, a.pre_solve_events || b.pre_solve_events);
+        contact.rounding = [a.shape.rounding(), b.shape.rounding()];
         self.contacts.add(index, contact, &mut self.bodies.bodies);
         self.pairs.insert(pair, index as u32);
         let awake = self.deserves_attention(index);

@@ -749,6 +749,8 @@ impl World {
         }
         self.islands.leave(index as u32, &mut self.bodies.bodies);
         self.bodies.transfer(index, SetId::DISABLED);
+        let (set, row) = self.bodies.at_mut(index);
+        (set.drive[row].force, set.drive[row].torque) = (Vec3::zeros(), Vec3::zeros());
     }
 
     /// Puts a body back into the world, awake.

@@ -52,6 +52,8 @@ pub struct ContactBlock<L: Lane, const P: usize, F, R> {
     pub normal: V3<L>,
     /// Centre of A minus centre of B, so that r_B = r_A + offset.
     pub offset: V3<L>,
+    /// Radii of the rounding of A and B; only contacts of up to two points have any.
+    pub rounding: [L; 2],
     /// How soft the contacts are: push-out rate \[1/s\], mass scale, impulse scale, greatest push-out speed \[m/s\].
     pub soft: [L; 4],
     /// The points; lanes with fewer have massless ones.
@@ -300,9 +302,14 @@ impl<L: Lane, const P: usize> Friction<L, P> {
         let sticks_up_to = self.mu_static * load;
         let slides = size2.gt(sticks_up_to * sticks_up_to);
         let one = L::splat(1.0);
-        let size = L::select(slides, size2, one).sqrt();
-        let cut = L::select(slides, (self.mu * load).over(size), one);
-        let (x, y) = (x * cut, y * cut);
+        // Sliding friction opposes the slip itself: along the block's inverse times the slip it would not, where the
+        // bodies yield more in one direction than in another.
+        let step = (m11 + m22) * L::splat(0.5);
+        let (sx, sy) = (self.lambda[0] - step * v0, self.lambda[1] - step * v1);
+        let size = L::select(slides, sx * sx + sy * sy, one).sqrt();
+        let cut = (self.mu * load).over(L::select(size.gt(L::zero()), size, one));
+        let x = L::select(slides, sx * cut, x);
+        let y = L::select(slides, sy * cut, y);
         let p = t[0].times(x - self.lambda[0]) + t[1].times(y - self.lambda[1]);
         self.lambda = [x, y];
         apply(a, b, p, ra, rb);
@@ -474,6 +481,7 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Contac
             // A unit normal, so that empty lanes compute harmless numbers.
             normal: V3::new(zero, zero, L::splat(1.0)),
             offset: V3::zero(),
+            rounding: [zero; 2],
             soft: [zero; 4],
             points: [point; P],
             friction: F::empty(),
@@ -516,8 +524,12 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Contac
         // How far the gap of a point has changed since the step began: n·(Δx_B − Δx_A) + r_B·m_B − r_A·m_A.
         let (xa, ua, sa) = rows.gather_moves::<L>(&self.a);
         let (xb, ub, sb) = rows.gather_moves::<L>(&self.b);
-        let shift = n.dot(xb - xa);
+        let mut shift = n.dot(xb - xa);
         let (ma, mb) = (turned_back_minus(ua, sa, n), turned_back_minus(ub, sb, n));
+        if P < 4 {
+            // What turns is the core of a rounded shape, not the point of its surface that touches.
+            shift = shift + (self.rounding[0] * n.dot(ma) + self.rounding[1] * n.dot(mb));
+        }
 
         let [rate, mass_scale, impulse_scale, push_out] = self.soft;
         let stiffness = mass_scale * rate;

@@ -19,7 +19,7 @@ pub fn find<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>>
     rows: &Rows,
     sub: &SubStep,
 ) {
-    let (normal, offset, points) = (block.normal, block.offset, block.points);
+    let (normal, offset, points, rounding) = (block.normal, block.offset, block.points, block.rounding);
     let Some(impact) = block.impact.get() else { return };
     for lane in 0..L::N {
         let (a, b) = (block.a.as_ref()[lane] as usize, block.b.as_ref()[lane] as usize);
@@ -39,8 +39,10 @@ pub fn find<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>>
             }
             let ra = point.r.get(lane);
             let rb = ra + offset.get(lane);
-            let moved_a = row_a.dx() + rotate(&row_a.dq(), ra) - ra;
-            let moved_b = row_b.dx() + rotate(&row_b.dq(), rb) - rb;
+            // The cores of rounded shapes turn, their touching points do not.
+            let (ca, cb) = (ra - n * rounding[0].get(lane), rb + n * rounding[1].get(lane));
+            let moved_a = row_a.dx() + rotate(&row_a.dq(), ca) - ca;
+            let moved_b = row_b.dx() + rotate(&row_b.dq(), cb) - cb;
             let gap = point.separation.get(lane) + n.dot(&(moved_b - moved_a));
             let v = n.dot(&(row_b.v() + row_b.w().cross(&rb) - row_a.v() - row_a.w().cross(&ra)));
             if let Some((mean, end)) = reflect(gap, v, accel, restitution, sub) {

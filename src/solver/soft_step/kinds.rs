@@ -193,6 +193,9 @@ fn fill<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>>(
     for (column, value) in block.soft.iter_mut().zip(at.soft) {
         column.put(lane, value);
     }
+    for (column, value) in block.rounding.iter_mut().zip(c.rounding) {
+        column.put(lane, value);
+    }
     let scale = at.impulse_scale;
     let mean_gap = c.points().iter().map(|q| q.impulse - q.memory).sum::<Float>() / Float::from(c.count);
     let (mut center, mut load) = (Vec3::zeros(), 0.0);

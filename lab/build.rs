@@ -1,0 +1,79 @@
+//! Compiles the C programs of the main run against the library's header, and Box3D where peers are wanted.
+
+use std::path::PathBuf;
+
+fn main() {
+    println!("cargo:rerun-if-changed=build.rs");
+    build_programs();
+    if std::env::var_os("CARGO_FEATURE_PEERS").is_some() {
+        build_box3d();
+    }
+}
+
+/// The programs in `c`, against the library's header. They find the library itself in the merev crate.
+fn build_programs() {
+    let include = PathBuf::from("../include");
+    for path in ["c/lab.h", "../include/merev.h"] {
+        println!("cargo:rerun-if-changed={path}");
+    }
+    let mut build = cc::Build::new();
+    for name in ["step", "bouncing_ball", "pyramid"] {
+        let file = format!("c/{name}.c");
+        println!("cargo:rerun-if-changed={file}");
+        build.file(file);
+    }
+    if std::env::var_os("CARGO_FEATURE_F64").is_some() {
+        build.define("MV_DOUBLE_PRECISION", None);
+    }
+    build.include(include).std("c99").extra_warnings(true).compile("lab_programs");
+}
+
+/// Box3D's C sources, as its own release build compiles them: -O3, without assertions, SIMD as it chooses.
+/// The crate that carries the sources would compile them with assertions and -O2, which is unfair to Box3D.
+fn build_box3d() {
+    let root = crate_root("boxddd-sys").join("third-party/box3d");
+    let sources = std::fs::read_dir(root.join("src")).expect("Box3D's sources");
+    let mut sources: Vec<PathBuf> = sources
+        .map(|entry| entry.expect("a directory entry").path())
+        .filter(|path| path.extension().is_some_and(|e| e == "c"))
+        .collect();
+    sources.sort();
+    let mut build = cc::Build::new();
+    build.files(&sources).include(root.join("include")).include(root.join("src"));
+    build.opt_level(3).define("NDEBUG", None).debug(false).warnings(false);
+    build.flag_if_supported("-std=c17").flag_if_supported("-ffp-contract=off").flag_if_supported("-pthread");
+    if std::env::var("CARGO_CFG_TARGET_OS").is_ok_and(|os| os == "linux") {
+        build.define("_POSIX_C_SOURCE", "199309L");
+    }
+    build.compile("box3d");
+    if std::env::var_os("CARGO_CFG_UNIX").is_some() {
+        println!("cargo:rustc-link-lib=m");
+        println!("cargo:rustc-link-lib=pthread");
+    }
+}
+
+/// Where Cargo has unpacked a dependency: it keeps the path to itself, but tells it when asked.
+fn crate_root(name: &str) -> PathBuf {
+    let cargo = std::env::var_os("CARGO").expect("CARGO");
+    let output = std::process::Command::new(cargo)
+        .args(["metadata", "--format-version=1", "--features=peers", "--filter-platform"])
+        .arg(std::env::var("TARGET").expect("TARGET"))
+        .output()
+        .expect("cargo metadata");
+    assert!(output.status.success(), "cargo metadata: {}", String::from_utf8_lossy(&output.stderr));
+    let text = String::from_utf8_lossy(&output.stdout);
+    let manifest = text
+        .split("\"manifest_path\":\"")
+        .skip(1)
+        .filter_map(|rest| rest.split('"').next())
+        .map(|path| PathBuf::from(path.replace("\\\\", "\\")))
+        .find(|path| {
+            let folder = path.parent().and_then(|p| p.file_name()).unwrap_or_default();
+            folder.to_string_lossy().starts_with(&format!("{name}-"))
+        });
+    manifest
+        .unwrap_or_else(|| panic!("{name} is not among the dependencies"))
+        .parent()
+        .expect("a folder")
+        .into()
+}
