@@ -353,10 +353,7 @@ pub(super) unsafe fn checked<'a>(hull: *const mvHullData) -> Result<(&'a mvHullD
     if head.version != version(head.byte_count) {
         return bad("The hull was not made by this version of the library, or its byte count was changed.");
     }
-    if head.byte_count < 0
-        || bytes < size_of::<mvHullData>()
-        || bytes > MAX_BYTES
-        || !bytes.is_multiple_of(8)
+    if head.byte_count < 0 || bytes < size_of::<mvHullData>() || bytes > MAX_BYTES || !bytes.is_multiple_of(8)
     {
         return bad("The hull has a wrong byte count.");
     }
