@@ -154,8 +154,17 @@ typedef int32_t mvBodyType;
  * else without a change to programs: convert with mvToPos() and mvToVec3(), subtract with mvSubPos().
  */
 typedef struct mvPos {
+    /**
+     * Along x.
+     */
     mvFloat x;
+    /**
+     * Along y.
+     */
     mvFloat y;
+    /**
+     * Along z.
+     */
     mvFloat z;
 } mvPos;
 
@@ -163,8 +172,17 @@ typedef struct mvPos {
  * A vector or point in three dimensions.
  */
 typedef struct mvVec3 {
+    /**
+     * Along x.
+     */
     mvFloat x;
+    /**
+     * Along y.
+     */
     mvFloat y;
+    /**
+     * Along z.
+     */
     mvFloat z;
 } mvVec3;
 
@@ -172,7 +190,13 @@ typedef struct mvVec3 {
  * A rotation as a unit quaternion: vector part v, scalar part s. The identity is v = 0, s = 1.
  */
 typedef struct mvQuat {
+    /**
+     * The vector part.
+     */
     mvVec3 v;
+    /**
+     * The scalar part.
+     */
     mvFloat s;
 } mvQuat;
 
@@ -420,8 +444,17 @@ typedef struct mvContactData {
  * A 3 by 3 matrix, by columns.
  */
 typedef struct mvMatrix3 {
+    /**
+     * The first column.
+     */
     mvVec3 cx;
+    /**
+     * The second column.
+     */
     mvVec3 cy;
+    /**
+     * The third column.
+     */
     mvVec3 cz;
 } mvMatrix3;
 
@@ -447,7 +480,13 @@ typedef struct mvMassData {
  * A rigid placement in the world: rotate by q, then shift to p.
  */
 typedef struct mvWorldTransform {
+    /**
+     * The shift [m].
+     */
     mvPos p;
+    /**
+     * The rotation.
+     */
     mvQuat q;
 } mvWorldTransform;
 
@@ -571,7 +610,13 @@ typedef struct mvSphere {
  * A rigid placement: rotate by q, then shift by p.
  */
 typedef struct mvTransform {
+    /**
+     * The shift [m].
+     */
     mvVec3 p;
+    /**
+     * The rotation.
+     */
     mvQuat q;
 } mvTransform;
 
@@ -599,7 +644,7 @@ typedef struct mvCapsule {
  */
 typedef struct mvHullData {
     /**
-     * Identifies a hull of this version and precision of the library.
+     * Identifies a hull of this version and precision of the library, and of this many bytes.
      */
     uint64_t version;
     /**
@@ -1316,7 +1361,13 @@ typedef struct mvRayCastInput {
  * it is dot(normal, point) - offset, positive on the side the normal points to.
  */
 typedef struct mvPlane {
+    /**
+     * The normal, of length 1.
+     */
     mvVec3 normal;
+    /**
+     * The distance of the plane from the origin, along the normal.
+     */
     mvFloat offset;
 } mvPlane;
 
@@ -1400,7 +1451,13 @@ typedef struct mvBoxHull {
  * Cosine and sine of one angle.
  */
 typedef struct mvCosSin {
+    /**
+     * The cosine.
+     */
     mvFloat cosine;
+    /**
+     * The sine.
+     */
     mvFloat sine;
 } mvCosSin;
 
@@ -1711,7 +1768,13 @@ typedef struct mvStepReport {
  * A vector or point in two dimensions.
  */
 typedef struct mvVec2 {
+    /**
+     * Along x.
+     */
     mvFloat x;
+    /**
+     * Along y.
+     */
     mvFloat y;
 } mvVec2;
 
@@ -2461,11 +2524,11 @@ mvFloat mvBody_GetClosestPoint(mvBodyId bodyId,
  */
 MV_API
 mvBodyCastResult mvBody_CastRay(mvBodyId bodyId,
-                                       mvPos origin,
-                                       mvVec3 translation,
-                                       mvQueryFilter filter,
-                                       mvFloat maxFraction,
-                                       mvWorldTransform bodyTransform);
+                                mvPos origin,
+                                mvVec3 translation,
+                                mvQueryFilter filter,
+                                mvFloat maxFraction,
+                                mvWorldTransform bodyTransform);
 
 /**
  * Move a solid against a body as if that were somewhere. A shape that it overlaps from the start is hit at fraction 0
@@ -2483,13 +2546,13 @@ mvBodyCastResult mvBody_CastRay(mvBodyId bodyId,
  */
 MV_API
 mvBodyCastResult mvBody_CastShape(mvBodyId bodyId,
-                                         mvPos origin,
-                                         const mvShapeProxy *proxy,
-                                         mvVec3 translation,
-                                         mvQueryFilter filter,
-                                         mvFloat maxFraction,
-                                         bool canEncroach,
-                                         mvWorldTransform bodyTransform);
+                                  mvPos origin,
+                                  const mvShapeProxy *proxy,
+                                  mvVec3 translation,
+                                  mvQueryFilter filter,
+                                  mvFloat maxFraction,
+                                  bool canEncroach,
+                                  mvWorldTransform bodyTransform);
 
 /**
  * Does a solid touch or overlap a body as if that were somewhere?
@@ -2699,9 +2762,9 @@ MV_API mvSurfaceMaterial mvDefaultSurfaceMaterial(void);
  */
 MV_API
 mvDistanceOutput mvShapeDistance(const mvDistanceInput *input,
-                                        mvSimplexCache *cache,
-                                        mvSimplex *simplexes,
-                                        int simplexCapacity);
+                                 mvSimplexCache *cache,
+                                 mvSimplex *simplexes,
+                                 int simplexCapacity);
 
 /**
  * Move a convex solid until it touches another. Solids that overlap from the start do not hit.
@@ -2761,7 +2824,7 @@ bool mvOverlapHull(const mvHullData *shape,
  */
 MV_API
 mvCastOutput mvShapeCastSphere(const mvSphere *shape,
-                                      const mvShapeCastInput *input);
+                               const mvShapeCastInput *input);
 
 /**
  * Move a solid against a capsule. A solid that overlaps from the start does not hit.
@@ -2773,7 +2836,7 @@ mvCastOutput mvShapeCastSphere(const mvSphere *shape,
  */
 MV_API
 mvCastOutput mvShapeCastCapsule(const mvCapsule *shape,
-                                       const mvShapeCastInput *input);
+                                const mvShapeCastInput *input);
 
 /**
  * Move a solid against a hull. A solid that overlaps from the start does not hit.
@@ -2785,7 +2848,7 @@ mvCastOutput mvShapeCastCapsule(const mvCapsule *shape,
  */
 MV_API
 mvCastOutput mvShapeCastHull(const mvHullData *shape,
-                                    const mvShapeCastInput *input);
+                             const mvShapeCastInput *input);
 
 /**
  * Get the code of the latest failing call of this thread, and clear it.
@@ -2923,7 +2986,7 @@ MV_API mvCastOutput mvRayCastSphere(const mvSphere *shape, const mvRayCastInput 
  */
 MV_API
 mvCastOutput mvRayCastCapsule(const mvCapsule *shape,
-                                     const mvRayCastInput *input);
+                              const mvRayCastInput *input);
 
 /**
  * Cast a ray at a hull. A ray that starts inside does not hit.
@@ -2949,8 +3012,8 @@ MV_API mvCastOutput mvRayCastHull(const mvHullData *shape, const mvRayCastInput 
  */
 MV_API
 mvHullData *mvCreateHull(const mvVec3 *points,
-                                int pointCount,
-                                int maxVertexCount);
+                         int pointCount,
+                         int maxVertexCount);
 
 /**
  * Create a hull in the form of a cylinder along the y axis.
@@ -2996,8 +3059,8 @@ MV_API mvHullData *mvCloneHull(const mvHullData *hull);
  */
 MV_API
 mvHullData *mvCloneAndTransformHull(const mvHullData *original,
-                                           mvTransform transform,
-                                           mvVec3 scale);
+                                    mvTransform transform,
+                                    mvVec3 scale);
 
 /**
  * Destroy a hull that mvCreateHull(), mvCloneHull() or a function like them made. Shapes made from it stay.
@@ -3051,9 +3114,9 @@ MV_API mvBoxHull mvMakeOffsetBoxHull(mvFloat hx, mvFloat hy, mvFloat hz, mvVec3 
  */
 MV_API
 mvBoxHull mvMakeTransformedBoxHull(mvFloat hx,
-                                          mvFloat hy,
-                                          mvFloat hz,
-                                          mvTransform transform);
+                                   mvFloat hy,
+                                   mvFloat hz,
+                                   mvTransform transform);
 
 /**
  * Get the name of a solver.
@@ -3186,7 +3249,7 @@ MV_API mvQuat mvMakeQuatFromMatrix(const mvMatrix3 *m);
  */
 MV_API
 mvQuat mvComputeQuatBetweenUnitVectors(mvVec3 v1,
-                                              mvVec3 v2);
+                                       mvVec3 v2);
 
 /**
  * Get the inertia of a point mass, about the origin.
@@ -3222,9 +3285,9 @@ MV_API mvVec3 mvPointToSegmentDistance(mvVec3 a, mvVec3 b, mvVec3 q);
  */
 MV_API
 mvSegmentDistanceResult mvLineDistance(mvVec3 p1,
-                                              mvVec3 d1,
-                                              mvVec3 p2,
-                                              mvVec3 d2);
+                                       mvVec3 d1,
+                                       mvVec3 p2,
+                                       mvVec3 d2);
 
 /**
  * Get the closest points of two segments.
@@ -3238,9 +3301,9 @@ mvSegmentDistanceResult mvLineDistance(mvVec3 p1,
  */
 MV_API
 mvSegmentDistanceResult mvSegmentDistance(mvVec3 p1,
-                                                 mvVec3 q1,
-                                                 mvVec3 p2,
-                                                 mvVec3 q2);
+                                          mvVec3 q1,
+                                          mvVec3 p2,
+                                          mvVec3 q2);
 
 /**
  * Find the shapes whose boxes overlap a box. The world may be read but not changed in the callback.
@@ -3255,10 +3318,10 @@ mvSegmentDistanceResult mvSegmentDistance(mvVec3 p1,
  */
 MV_API
 mvTreeStats mvWorld_OverlapAABB(mvWorldId worldId,
-                                       mvAABB aabb,
-                                       mvQueryFilter filter,
-                                       mvOverlapResultFcn fcn,
-                                       void *context);
+                                mvAABB aabb,
+                                mvQueryFilter filter,
+                                mvOverlapResultFcn fcn,
+                                void *context);
 
 /**
  * Find the shapes whose boxes overlap a box, into an array.
@@ -3292,11 +3355,11 @@ int mvWorld_OverlapAABBAll(mvWorldId worldId,
  */
 MV_API
 mvTreeStats mvWorld_OverlapShape(mvWorldId worldId,
-                                        mvPos origin,
-                                        const mvShapeProxy *proxy,
-                                        mvQueryFilter filter,
-                                        mvOverlapResultFcn fcn,
-                                        void *context);
+                                 mvPos origin,
+                                 const mvShapeProxy *proxy,
+                                 mvQueryFilter filter,
+                                 mvOverlapResultFcn fcn,
+                                 void *context);
 
 /**
  * Find the shapes that touch or overlap a solid, into an array.
@@ -3333,11 +3396,11 @@ int mvWorld_OverlapShapeAll(mvWorldId worldId,
  */
 MV_API
 mvTreeStats mvWorld_CastRay(mvWorldId worldId,
-                                   mvPos origin,
-                                   mvVec3 translation,
-                                   mvQueryFilter filter,
-                                   mvCastResultFcn fcn,
-                                   void *context);
+                            mvPos origin,
+                            mvVec3 translation,
+                            mvQueryFilter filter,
+                            mvCastResultFcn fcn,
+                            void *context);
 
 /**
  * Cast a ray and get the nearest shape that it hits. Shapes in which it starts are not hit.
@@ -3351,9 +3414,9 @@ mvTreeStats mvWorld_CastRay(mvWorldId worldId,
  */
 MV_API
 mvRayResult mvWorld_CastRayClosest(mvWorldId worldId,
-                                          mvPos origin,
-                                          mvVec3 translation,
-                                          mvQueryFilter filter);
+                                   mvPos origin,
+                                   mvVec3 translation,
+                                   mvQueryFilter filter);
 
 /**
  * Cast a ray and get the shapes that it hits, nearest first. Shapes in which it starts are not hit.
@@ -3391,12 +3454,12 @@ int mvWorld_CastRayAll(mvWorldId worldId,
  */
 MV_API
 mvTreeStats mvWorld_CastShape(mvWorldId worldId,
-                                     mvPos origin,
-                                     const mvShapeProxy *proxy,
-                                     mvVec3 translation,
-                                     mvQueryFilter filter,
-                                     mvCastResultFcn fcn,
-                                     void *context);
+                              mvPos origin,
+                              const mvShapeProxy *proxy,
+                              mvVec3 translation,
+                              mvQueryFilter filter,
+                              mvCastResultFcn fcn,
+                              void *context);
 
 /**
  * Move a solid without turning and get the nearest shape that it hits. A shape that it overlaps from the start is hit
@@ -3412,10 +3475,10 @@ mvTreeStats mvWorld_CastShape(mvWorldId worldId,
  */
 MV_API
 mvRayResult mvWorld_CastShapeClosest(mvWorldId worldId,
-                                            mvPos origin,
-                                            const mvShapeProxy *proxy,
-                                            mvVec3 translation,
-                                            mvQueryFilter filter);
+                                     mvPos origin,
+                                     const mvShapeProxy *proxy,
+                                     mvVec3 translation,
+                                     mvQueryFilter filter);
 
 /**
  * Move a solid without turning and get the shapes that it hits, nearest first. A shape that it overlaps from the start
@@ -3451,8 +3514,8 @@ int mvWorld_CastShapeAll(mvWorldId worldId,
  */
 MV_API
 mvShapeId mvCreateSphereShape(mvBodyId bodyId,
-                                     const mvShapeDef *def,
-                                     const mvSphere *sphere);
+                              const mvShapeDef *def,
+                              const mvSphere *sphere);
 
 /**
  * Attach a capsule to a body.
@@ -3465,8 +3528,8 @@ mvShapeId mvCreateSphereShape(mvBodyId bodyId,
  */
 MV_API
 mvShapeId mvCreateCapsuleShape(mvBodyId bodyId,
-                                      const mvShapeDef *def,
-                                      const mvCapsule *capsule);
+                               const mvShapeDef *def,
+                               const mvCapsule *capsule);
 
 /**
  * Attach a hull to a body.
@@ -3479,8 +3542,8 @@ mvShapeId mvCreateCapsuleShape(mvBodyId bodyId,
  */
 MV_API
 mvShapeId mvCreateHullShape(mvBodyId bodyId,
-                                   const mvShapeDef *def,
-                                   const mvHullData *hull);
+                            const mvShapeDef *def,
+                            const mvHullData *hull);
 
 /**
  * Attach a scaled and placed copy of a hull to a body.
@@ -3495,10 +3558,10 @@ mvShapeId mvCreateHullShape(mvBodyId bodyId,
  */
 MV_API
 mvShapeId mvCreateTransformedHullShape(mvBodyId bodyId,
-                                              const mvShapeDef *def,
-                                              const mvHullData *hull,
-                                              mvTransform transform,
-                                              mvVec3 scale);
+                                       const mvShapeDef *def,
+                                       const mvHullData *hull,
+                                       mvTransform transform,
+                                       mvVec3 scale);
 
 /**
  * Attach a box to a body, centred on the body's origin.
@@ -3513,10 +3576,10 @@ mvShapeId mvCreateTransformedHullShape(mvBodyId bodyId,
  */
 MV_API
 mvShapeId mvCreateBoxShape(mvBodyId bodyId,
-                                  const mvShapeDef *def,
-                                  mvFloat hx,
-                                  mvFloat hy,
-                                  mvFloat hz);
+                           const mvShapeDef *def,
+                           mvFloat hx,
+                           mvFloat hy,
+                           mvFloat hz);
 
 /**
  * Attach everything below a plane to a static body: a floor without end.
@@ -3530,8 +3593,8 @@ mvShapeId mvCreateBoxShape(mvBodyId bodyId,
  */
 MV_API
 mvShapeId mvCreatePlaneShape(mvBodyId bodyId,
-                                    const mvShapeDef *def,
-                                    const mvPlane *plane);
+                             const mvShapeDef *def,
+                             const mvPlane *plane);
 
 /**
  * Destroy a shape. What it touched wakes up.
@@ -3740,10 +3803,13 @@ MV_API mvFilter mvShape_GetFilter(mvShapeId shapeId);
  * found again in the next step.
  * @param shapeId the shape
  * @param filter the filter
+ * @param invokeContacts whether contacts are to be found anew; today they always are
+ * @note Errors: mv_errorRange for a flag that is neither true nor false.
  */
 MV_API
 void mvShape_SetFilter(mvShapeId shapeId,
-                       mvFilter filter);
+                       mvFilter filter,
+                       bool invokeContacts);
 
 /**
  * Make begin and end events for contacts of a shape, or not. One of the two shapes is enough.
@@ -3794,8 +3860,8 @@ MV_API bool mvShape_AreHitEventsEnabled(mvShapeId shapeId);
  */
 MV_API
 mvWorldCastOutput mvShape_RayCast(mvShapeId shapeId,
-                                         mvPos origin,
-                                         mvVec3 translation);
+                                  mvPos origin,
+                                  mvVec3 translation);
 
 /**
  * Get the box around a shape, in the world.

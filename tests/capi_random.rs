@@ -177,7 +177,8 @@ impl Story {
             mvDestroyWorld(w);
         }
         for &h in &self.hulls {
-            mvDestroyHull(h);
+            // Sound: the story made it and has not destroyed it yet.
+            unsafe { mvDestroyHull(h) };
         }
         mvGetLastError();
     }

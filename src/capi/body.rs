@@ -1,12 +1,14 @@
 //! Bodies: making, destroying, naming, switching.
 
+use super::access::{edit_at_body, read_body, view_body, write_body, write_world};
 use super::contact::mvContactData;
 use super::def::*;
+use super::def_check::{body_type, flag, from_word, to_word};
 use super::error::text;
 use super::guard::{c_count, fill, needed, room};
 use super::id::{mvBodyId, mvShapeId, mvWorldId};
 use super::math::mvAABB;
-use super::registry::{self, edit_at_body, read_body, view_body, write_body, write_world};
+use super::registry;
 use super::side::Named;
 use super::{Flag, mvFloat};
 use core::ffi::{c_char, c_int, c_void};
@@ -36,7 +38,7 @@ pub extern "C" fn mvDestroyBody(body_id: mvBodyId) {
 /// Does this id name a body that lives? Never fails; false also while another thread changes the world.
 #[unsafe(no_mangle)]
 pub extern "C" fn mvBody_IsValid(id: mvBodyId) -> bool {
-    registry::is_body(id)
+    super::access::is_body(id)
 }
 
 /// Get the world that a body lives in.
@@ -210,7 +212,7 @@ pub extern "C" fn mvBody_GetMotionLocks(body_id: mvBodyId) -> mvMotionLocks {
 #[unsafe(no_mangle)]
 pub extern "C" fn mvBody_EnableHitEvents(body_id: mvBodyId, flag: Flag) {
     edit_at_body(body_id, |e| {
-        let on = super::def::flag("flag", flag)?;
+        let on = super::def_check::flag("flag", flag)?;
         let shapes: Vec<_> = e.world.body(body_id.into())?.shapes().collect();
         for shape in shapes {
             e.world.shape_mut(shape)?.enable_hit_events(on);

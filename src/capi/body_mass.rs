@@ -1,9 +1,9 @@
 //! Mass, damping and gravity of bodies.
 
+use super::access::{read_body, write_body};
 use super::id::mvBodyId;
 use super::math::{mvMatrix3, mvPos, mvVec3};
 use super::mvFloat;
-use super::registry::{read_body, write_body};
 use super::shape_data::mvMassData;
 
 /// Get the mass of a body.

@@ -1,9 +1,9 @@
 //! Where bodies are and how they move.
 
-use super::def::flag;
+use super::access::{read_body, write_body};
+use super::def_check::flag;
 use super::id::mvBodyId;
 use super::math::{mvPos, mvQuat, mvVec3, mvWorldTransform};
-use super::registry::{read_body, write_body};
 use super::{Flag, mvFloat};
 use crate::math::Pose;
 

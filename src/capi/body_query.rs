@@ -1,11 +1,11 @@
 //! Rays, moving solids and distances against the shapes of one body.
 
+use super::access::read_body;
 use super::def::mvQueryFilter;
 use super::distance::{mvShapeProxy, no_encroaching};
 use super::guard::{Neutral, needed, neutral};
 use super::id::{mvBodyId, mvShapeId};
 use super::math::{ORIGIN, ZERO3, mvPos, mvVec3, mvWorldTransform};
-use super::registry::read_body;
 use super::{Flag, mvFloat};
 use crate::world::ShapeHit;
 use core::ffi::c_int;

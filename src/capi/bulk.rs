@@ -1,9 +1,9 @@
 //! Many bodies in one call.
 
+use super::access::{edit_at_body, read_world};
 use super::guard::{c_count, call, room, slice};
 use super::id::{mvBodyId, mvWorldId};
 use super::math::{mvVec3, mvWorldTransform};
-use super::registry::{edit_at_body, read_world};
 use crate::error::{Error, ErrorCode};
 use core::ffi::c_int;
 

@@ -1,10 +1,11 @@
 //! Contacts and their manifolds as C sees them.
 
+use super::access::is_contact;
 use super::guard::neutral;
 use super::id::{mvContactId, mvShapeId};
 use super::math::{ORIGIN, ZERO3, mvPos, mvVec3};
 use super::mvFloat;
-use super::registry::{View, is_contact};
+use super::registry::View;
 use super::side::Side;
 use crate::world::ContactData;
 use core::ffi::c_int;

@@ -1,6 +1,6 @@
 //! Distance, overlap and casts of convex point clouds and shapes without a world.
 
-use super::def::flag;
+use super::def_check::flag;
 use super::geometry::{NO_HIT, mvCastOutput};
 use super::guard::{call, count, needed, neutral, room, slice};
 use super::hull_data::{mvHullData, solid};
@@ -195,7 +195,8 @@ pub unsafe extern "C" fn mvShapeDistance(
         let input = needed("The input", input)?;
         // Sound: the caller passes proxies with as many points as they say.
         let (mut a, mut b) = unsafe { (input.proxy_a.copied()?, input.proxy_b.copied()?) };
-        (a.proxy()?, b.proxy()?);
+        // Bad radii are told even where they do not count.
+        a.proxy().and(b.proxy())?;
         let pose = input.transform.pose("transform")?;
         // Sound: the caller passes that much room.
         let room = unsafe { room("simplexes", simplexes, simplex_capacity) }?;

@@ -97,7 +97,7 @@ pub extern "C" fn mvSetAssertFcn(assert_fcn: mvAssertFcn) {
 
 /// Notes a failure of the exported function `function` for this thread and tells the log.
 pub(super) fn report(function: &str, error: &Error) {
-    let sentence = error.sentence();
+    let sentence = &in_words_of_c(error.sentence());
     let text = if function.is_empty() { sentence.to_owned() } else { format!("{function}: {sentence}") };
     let text = c_string(&text);
     let log = *LOG.read().unwrap_or_else(PoisonError::into_inner);
@@ -108,6 +108,26 @@ pub(super) fn report(function: &str, error: &Error) {
     // After the log, whose own calls must not hide this failure.
     let _ = MESSAGE.try_with(|m| *m.borrow_mut() = text);
     let _ = CODE.try_with(|c| c.set(error.code() as mvErrorCode));
+}
+
+/// The sentence with field names as the header spells them: linear_velocity becomes linearVelocity.
+fn in_words_of_c(sentence: &str) -> String {
+    let mut out = String::with_capacity(sentence.len());
+    let mut chars = sentence.chars().peekable();
+    while let Some(c) = chars.next() {
+        match chars.peek() {
+            Some(next)
+                if c == '_'
+                    && next.is_ascii_lowercase()
+                    && out.ends_with(|p: char| p.is_ascii_lowercase()) =>
+            {
+                out.push(next.to_ascii_uppercase());
+                chars.next();
+            }
+            _ => out.push(c),
+        }
+    }
+    out
 }
 
 /// Tells the assert callback of a caught panic and makes an error of it.
@@ -153,4 +173,13 @@ pub(super) unsafe fn text<'a>(what: &str, s: *const c_char) -> Result<&'a str, E
     s.to_str().map_err(|e| {
         Error::new(ErrorCode::Range, format!("{what} is not UTF-8: byte {} is wrong.", e.valid_up_to()))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn sentences_name_fields_as_the_header_does() {
+        assert_eq!(super::in_words_of_c("linear_velocity is NaN."), "linearVelocity is NaN.");
+        assert_eq!(super::in_words_of_c("a _b c_ d__e"), "a _b c_ d__e");
+    }
 }

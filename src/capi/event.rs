@@ -1,10 +1,10 @@
 //! Events of the last step.
 
+use super::access::read_world;
 use super::guard::{c_count, neutral};
 use super::id::{mvBodyId, mvContactId, mvShapeId, mvWorldId};
 use super::math::{mvPos, mvVec3, mvWorldTransform};
 use super::mvFloat;
-use super::registry::read_world;
 use crate::world::World;
 use core::ffi::{c_int, c_void};
 
@@ -130,7 +130,7 @@ impl EventArrays {
         self.fresh = true;
         self.moved.clear();
         self.moved.extend(world.body_events().iter().map(|e| mvBodyMoveEvent {
-            user_data: super::def::from_word(e.user_data),
+            user_data: super::def_check::from_word(e.user_data),
             transform: e.transform.into(),
             body_id: e.body.into(),
             fell_asleep: e.fell_asleep,

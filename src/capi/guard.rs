@@ -83,7 +83,7 @@ thread_local! {
 
 /// The latest fault of this thread.
 pub(super) fn take_fault() -> Fault {
-    FAULT.with(RefCell::take)
+    FAULT.try_with(RefCell::take).unwrap_or_default()
 }
 
 /// Panics inside the library are noted quietly; those of other Rust code in the process go where they went.
@@ -102,7 +102,10 @@ fn install_hook() {
 }
 
 fn fault(info: &PanicHookInfo<'_>) -> Fault {
-    let message = info.payload_as_str().unwrap_or("unknown").to_owned();
+    let payload = info.payload();
+    let text = payload.downcast_ref::<&str>().copied();
+    let text = text.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+    let message = text.unwrap_or("unknown").to_owned();
     let (file, line) = info.location().map_or((String::new(), 0), |l| (l.file().to_owned(), l.line()));
     Fault { message, file, line }
 }

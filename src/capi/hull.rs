@@ -134,7 +134,7 @@ pub unsafe extern "C" fn mvCloneAndTransformHull(
 /// @param hull the hull
 /// @note Errors: mv_errorNull, mv_errorStale for a pointer that is no such hull, or not any more.
 #[unsafe(no_mangle)]
-pub extern "C" fn mvDestroyHull(hull: *mut mvHullData) {
+pub unsafe extern "C" fn mvDestroyHull(hull: *mut mvHullData) {
     call(|| {
         if hull.is_null() {
             return Err(Error::new(ErrorCode::Null, "The hull is null."));

@@ -50,7 +50,7 @@ pub struct mvHullFace {
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct mvHullData {
-    /// Identifies a hull of this version and precision of the library.
+    /// Identifies a hull of this version and precision of the library, and of this many bytes.
     pub version: u64,
     /// A hash of all bytes, counted with this field as 0.
     pub hash: u64,
@@ -158,8 +158,11 @@ neutral! {
     };
 }
 
-/// What stands in `version`.
-const VERSION: u64 = 0x6d76_4875_6c6c_0000 ^ (size_of::<mvHullData>() as u64) << 4 ^ MV_ABI_REVISION as u64;
+/// What stands in `version`. The byte count is mixed in, so that a wrong one is found before it is believed.
+const fn version(byte_count: i32) -> u64 {
+    let kind = 0x6d76_4875_6c6c_0000 ^ (size_of::<mvHullData>() as u64) << 4 ^ MV_ABI_REVISION as u64;
+    (kind ^ byte_count as u32 as u64).wrapping_mul(0xd6e8_feb8_6659_fd93).rotate_left(31)
+}
 
 /// The greatest possible size of a hull in bytes: a check before anything is read.
 const MAX_BYTES: usize = 1 << 20;
@@ -273,7 +276,7 @@ impl Tables {
     }
 
     fn write(&mut self, words: &mut [u64]) {
-        self.head.version = VERSION;
+        self.head.version = version(self.head.byte_count);
         self.head.vertex_count = self.vertices.len() as i32;
         self.head.edge_count = self.edges.len() as i32;
         self.head.face_count = self.faces.len() as i32;
@@ -347,8 +350,8 @@ pub(super) unsafe fn checked<'a>(hull: *const mvHullData) -> Result<(&'a mvHullD
     let head = unsafe { &*hull };
     let bytes = head.byte_count as usize;
     let bad = |why: &'static str| Err(Error::new(ErrorCode::Definition, why));
-    if head.version != VERSION {
-        return bad("The hull was not made by this version of the library.");
+    if head.version != version(head.byte_count) {
+        return bad("The hull was not made by this version of the library, or its byte count was changed.");
     }
     if head.byte_count < 0 || bytes < size_of::<mvHullData>() || bytes > MAX_BYTES || !bytes.is_multiple_of(8)
     {

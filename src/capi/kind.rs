@@ -1,6 +1,7 @@
 //! Choices among several ways, and their names.
 
 use super::def::*;
+use super::def_check::choice;
 use super::guard::call;
 use crate::broad_phase::BroadPhaseKind;
 use crate::error::Result;

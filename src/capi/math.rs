@@ -9,7 +9,9 @@ use crate::math::{Aabb, Mat3, Pose, Quat, Vec3, vec3};
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct mvVec2 {
+    /// Along x.
     pub x: mvFloat,
+    /// Along y.
     pub y: mvFloat,
 }
 
@@ -17,8 +19,11 @@ pub struct mvVec2 {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct mvVec3 {
+    /// Along x.
     pub x: mvFloat,
+    /// Along y.
     pub y: mvFloat,
+    /// Along z.
     pub z: mvFloat,
 }
 
@@ -27,8 +32,11 @@ pub struct mvVec3 {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct mvPos {
+    /// Along x.
     pub x: mvFloat,
+    /// Along y.
     pub y: mvFloat,
+    /// Along z.
     pub z: mvFloat,
 }
 
@@ -36,7 +44,9 @@ pub struct mvPos {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct mvCosSin {
+    /// The cosine.
     pub cosine: mvFloat,
+    /// The sine.
     pub sine: mvFloat,
 }
 
@@ -44,7 +54,9 @@ pub struct mvCosSin {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct mvQuat {
+    /// The vector part.
     pub v: mvVec3,
+    /// The scalar part.
     pub s: mvFloat,
 }
 
@@ -52,7 +64,9 @@ pub struct mvQuat {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct mvTransform {
+    /// The shift [m].
     pub p: mvVec3,
+    /// The rotation.
     pub q: mvQuat,
 }
 
@@ -60,7 +74,9 @@ pub struct mvTransform {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct mvWorldTransform {
+    /// The shift [m].
     pub p: mvPos,
+    /// The rotation.
     pub q: mvQuat,
 }
 
@@ -68,8 +84,11 @@ pub struct mvWorldTransform {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct mvMatrix3 {
+    /// The first column.
     pub cx: mvVec3,
+    /// The second column.
     pub cy: mvVec3,
+    /// The third column.
     pub cz: mvVec3,
 }
 
@@ -88,7 +107,9 @@ pub struct mvAABB {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct mvPlane {
+    /// The normal, of length 1.
     pub normal: mvVec3,
+    /// The distance of the plane from the origin, along the normal.
     pub offset: mvFloat,
 }
 

@@ -12,8 +12,9 @@
 #![allow(non_camel_case_types, non_upper_case_globals, non_snake_case)]
 // C's rules for pointers are in the header; a section for Rust callers would end up there too.
 #![allow(clippy::missing_safety_doc)]
-#![allow(missing_docs)]
+#![warn(missing_docs)]
 
+mod access;
 mod base;
 mod body;
 mod body_mass;
@@ -24,6 +25,7 @@ mod callback;
 mod collide;
 mod contact;
 mod def;
+mod def_check;
 mod distance;
 mod error;
 mod event;

@@ -1,11 +1,12 @@
 //! Questions to a world. Each comes with a callback and in a form that fills an array.
 
+use super::access::read_world;
 use super::def::mvQueryFilter;
 use super::distance::{Cloud, mvShapeProxy};
 use super::guard::{Neutral, fill, needed, neutral, room};
 use super::id::{mvShapeId, mvWorldId};
 use super::math::{ORIGIN, ZERO3, mvAABB, mvPos, mvVec3};
-use super::registry::{in_callback, read_world};
+use super::registry::in_callback;
 use super::{Flag, mvFloat};
 use crate::error::Result;
 use crate::math::{Float, Vec3};
@@ -101,7 +102,7 @@ impl From<ShapeHit> for mvRayResult {
 /// @return what was looked at; zero for bad arguments
 /// @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange.
 #[unsafe(no_mangle)]
-pub extern "C" fn mvWorld_OverlapAABB(
+pub unsafe extern "C" fn mvWorld_OverlapAABB(
     world_id: mvWorldId,
     aabb: mvAABB,
     filter: mvQueryFilter,
@@ -213,7 +214,7 @@ pub unsafe extern "C" fn mvWorld_OverlapShapeAll(
 /// @return what was looked at; zero for bad arguments
 /// @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange.
 #[unsafe(no_mangle)]
-pub extern "C" fn mvWorld_CastRay(
+pub unsafe extern "C" fn mvWorld_CastRay(
     world_id: mvWorldId,
     origin: mvPos,
     translation: mvVec3,

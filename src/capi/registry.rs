@@ -7,11 +7,11 @@
 //! Each place has a lock that never waits: any number of readers, or one writer. Who finds it taken is told so.
 //! A thread that is inside a step or a query of a world (in a callback) is known by [`INSIDE`].
 
-use super::guard::{Neutral, call, caught};
-use super::id::{mvBodyId, mvContactId, mvShapeId, mvWorldId};
+use super::guard::caught;
+use super::id::mvWorldId;
 use super::side::Side;
 use crate::error::{Error, ErrorCode, Result};
-use crate::world::{BodyMut, BodyRef, ColliderMut, ColliderRef, Identity, World, WorldDef};
+use crate::world::{Identity, World, WorldDef};
 use std::cell::{RefCell, UnsafeCell};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
@@ -142,7 +142,7 @@ impl Place {
 
 /// How a call names a world.
 #[derive(Clone, Copy)]
-struct Target {
+pub(super) struct Target {
     index: usize,
     /// 0: whatever world is there; the caller looks up an id in it.
     generation: u16,
@@ -150,7 +150,7 @@ struct Target {
 }
 
 impl Target {
-    fn world(id: mvWorldId) -> Result<Self> {
+    pub(super) fn world(id: mvWorldId) -> Result<Self> {
         if id.index1 == 0 {
             return Err(Error::new(ErrorCode::Null, "The world id is null."));
         }
@@ -161,7 +161,7 @@ impl Target {
         Ok(Self { index: usize::from(id.index1) - 1, generation: id.generation, what: "world" })
     }
 
-    fn of(index1: i32, world0: u16, what: &'static str) -> Result<Self> {
+    pub(super) fn of(index1: i32, world0: u16, what: &'static str) -> Result<Self> {
         if index1 == 0 {
             return Err(Error::new(ErrorCode::Null, format!("The {what} id is null.")));
         }
@@ -194,16 +194,23 @@ fn check_fault(place: &Place) -> Result<()> {
     Ok(())
 }
 
-/// `f`, whose internal faults break the world.
+/// `f`, whose internal faults break the world. A panic goes on to the guard, which stands around every call.
 fn watched<R>(place: &Place, f: impl FnOnce() -> Result<R>) -> Result<R> {
-    let result = caught(f);
-    if matches!(&result, Err(e) if e.code() == ErrorCode::Internal) {
-        place.faulted.store(true, Release);
+    struct Watch<'a>(&'a Place);
+    impl Drop for Watch<'_> {
+        fn drop(&mut self) {
+            self.0.faulted.store(true, Release);
+        }
+    }
+    let watch = Watch(place);
+    let result = f();
+    if !matches!(&result, Err(e) if e.code() == ErrorCode::Internal) {
+        std::mem::forget(watch);
     }
     result
 }
 
-fn read<R>(target: Target, f: impl FnOnce(View<'_>) -> Result<R>) -> Result<R> {
+pub(super) fn read<R>(target: Target, f: impl FnOnce(View<'_>) -> Result<R>) -> Result<R> {
     let place = target.place()?;
     let Some(_hold) = place.try_read() else {
         return read_inside(target, place, f);
@@ -219,8 +226,9 @@ fn read<R>(target: Target, f: impl FnOnce(View<'_>) -> Result<R>) -> Result<R> {
 
 /// A read while somebody writes: allowed in a callback of that very step.
 fn read_inside<R>(target: Target, place: &Place, f: impl FnOnce(View<'_>) -> Result<R>) -> Result<R> {
-    let mine = INSIDE.with_borrow(|i| i.iter().rev().find(|i| i.place == target.index).map(|i| i.world));
-    let world = mine.ok_or_else(busy)?;
+    let mine =
+        |i: &RefCell<Vec<Inside>>| i.borrow().iter().rev().find(|i| i.place == target.index).map(|i| i.world);
+    let world = INSIDE.try_with(mine).ok().flatten().ok_or_else(busy)?;
     // Sound: [`in_callback`] put the pointer there, keeps the reference it came from alive until the callback
     // returns, and takes it away then; the world is only read meanwhile.
     let world = unsafe { &*world };
@@ -234,7 +242,7 @@ fn locked() -> Error {
     )
 }
 
-fn write<R>(target: Target, f: impl FnOnce(Edit<'_>) -> Result<R>) -> Result<R> {
+pub(super) fn write<R>(target: Target, f: impl FnOnce(Edit<'_>) -> Result<R>) -> Result<R> {
     let place = target.place()?;
     let Some(_hold) = place.try_write() else {
         return Err(if is_inside(target.index) { locked() } else { busy() });
@@ -249,7 +257,7 @@ fn write<R>(target: Target, f: impl FnOnce(Edit<'_>) -> Result<R>) -> Result<R> 
 }
 
 fn is_inside(index: usize) -> bool {
-    INSIDE.with_borrow(|i| i.iter().any(|i| i.place == index))
+    INSIDE.try_with(|i| i.borrow().iter().any(|i| i.place == index)).unwrap_or(false)
 }
 
 /// Runs one callback of a step or a query, during which this thread may read `world`, and is known to be inside.
@@ -257,10 +265,11 @@ pub(super) fn in_callback<R>(world: &World, f: impl FnOnce() -> R) -> R {
     struct Leave;
     impl Drop for Leave {
         fn drop(&mut self) {
-            INSIDE.with_borrow_mut(|i| i.pop());
+            let _ = INSIDE.try_with(|i| i.borrow_mut().pop());
         }
     }
-    INSIDE.with_borrow_mut(|i| i.push(Inside { place: usize::from(world.identity.tag), world }));
+    let here = Inside { place: usize::from(world.identity.tag), world };
+    let _ = INSIDE.try_with(|i| i.borrow_mut().push(here));
     let _leave = Leave;
     f()
 }
@@ -360,66 +369,48 @@ pub(super) fn for_each_world(mut f: impl FnMut(View<'_>)) {
     }
 }
 
-// What exported functions call: guard, look up, one call.
+#[cfg(test)]
+mod tests {
+    use super::super::*;
+    use super::*;
 
-pub(super) fn read_world<R: Neutral>(id: mvWorldId, f: impl FnOnce(View<'_>) -> Result<R>) -> R {
-    call(|| read(Target::world(id)?, f))
-}
+    fn new_world() -> mvWorldId {
+        mvCreateWorld(Some(&mvDefaultWorldDef()))
+    }
 
-pub(super) fn write_world<R: Neutral>(id: mvWorldId, f: impl FnOnce(Edit<'_>) -> Result<R>) -> R {
-    call(|| write(Target::world(id)?, f))
-}
+    #[test]
+    fn a_panic_breaks_its_world_alone() {
+        let (broken, whole) = (new_world(), new_world());
+        let _: () = access::write_world(broken, |_| panic!("on purpose"));
+        assert_eq!(mvGetLastError(), mv_errorInternal);
+        for _ in 0..2 {
+            assert_eq!(mvWorld_GetGravity(broken).y, 0.0);
+            assert_eq!(mvGetLastError(), mv_errorFaulted);
+        }
+        mvWorld_Step(broken, 0.01, 1);
+        assert_eq!(mvGetLastError(), mv_errorFaulted);
+        assert!(mvWorld_IsValid(broken));
+        assert_eq!(mvWorld_GetGravity(whole).y, -10.0);
+        mvDestroyWorld(broken);
+        assert!(!mvWorld_IsValid(broken));
+        mvDestroyWorld(whole);
+        assert_eq!(mvGetLastError(), mv_errorNone);
+        // Nobody moves in where something broke.
+        let next: Vec<_> = (0..3).map(|_| new_world()).collect();
+        assert!(next.iter().all(|w| w.index1 != broken.index1));
+        next.into_iter().for_each(|w| mvDestroyWorld(w));
+    }
 
-pub(super) fn read_body<R: Neutral>(id: mvBodyId, f: impl FnOnce(BodyRef<'_>) -> Result<R>) -> R {
-    call(|| read(Target::of(id.index1, id.world0, "body")?, |v| f(v.world.body(id.into())?)))
-}
-
-pub(super) fn view_body<R: Neutral>(id: mvBodyId, f: impl FnOnce(View<'_>, BodyRef<'_>) -> Result<R>) -> R {
-    call(|| read(Target::of(id.index1, id.world0, "body")?, |v| f(v, v.world.body(id.into())?)))
-}
-
-pub(super) fn write_body<R: Neutral>(id: mvBodyId, f: impl FnOnce(BodyMut<'_>) -> Result<R>) -> R {
-    call(|| write(Target::of(id.index1, id.world0, "body")?, |e| f(e.world.body_mut(id.into())?)))
-}
-
-pub(super) fn edit_at_body<R: Neutral>(id: mvBodyId, f: impl FnOnce(Edit<'_>) -> Result<R>) -> R {
-    call(|| write(Target::of(id.index1, id.world0, "body")?, f))
-}
-
-pub(super) fn read_shape<R: Neutral>(id: mvShapeId, f: impl FnOnce(ColliderRef<'_>) -> Result<R>) -> R {
-    call(|| read(Target::of(id.index1, id.world0, "shape")?, |v| f(v.world.shape(id.into())?)))
-}
-
-pub(super) fn view_shape<R: Neutral>(
-    id: mvShapeId,
-    f: impl FnOnce(View<'_>, ColliderRef<'_>) -> Result<R>,
-) -> R {
-    call(|| read(Target::of(id.index1, id.world0, "shape")?, |v| f(v, v.world.shape(id.into())?)))
-}
-
-pub(super) fn write_shape<R: Neutral>(id: mvShapeId, f: impl FnOnce(ColliderMut<'_>) -> Result<R>) -> R {
-    call(|| write(Target::of(id.index1, id.world0, "shape")?, |e| f(e.world.shape_mut(id.into())?)))
-}
-
-pub(super) fn edit_at_shape<R: Neutral>(id: mvShapeId, f: impl FnOnce(Edit<'_>) -> Result<R>) -> R {
-    call(|| write(Target::of(id.index1, id.world0, "shape")?, f))
-}
-
-/// Whether the body lives; false also when nobody may look now.
-pub(super) fn is_body(id: mvBodyId) -> bool {
-    Target::of(id.index1, id.world0, "body")
-        .and_then(|t| read(t, |v| v.world.body(id.into()).map(|_| ())))
-        .is_ok()
-}
-
-/// Whether the shape lives; false also when nobody may look now.
-pub(super) fn is_shape(id: mvShapeId) -> bool {
-    Target::of(id.index1, id.world0, "shape")
-        .and_then(|t| read(t, |v| v.world.shape(id.into()).map(|_| ())))
-        .is_ok()
-}
-
-/// Whether the contact's world can be read now and says so.
-pub(super) fn is_contact(id: mvContactId, f: impl FnOnce(View<'_>) -> bool) -> bool {
-    Target::of(id.index1, id.world0, "contact").and_then(|t| read(t, |v| Ok(f(v)))).unwrap_or(false)
+    #[test]
+    fn a_place_whose_generations_are_used_up_retires() {
+        let first = new_world();
+        let place = place(usize::from(first.index1) - 1).unwrap();
+        place.generation.store(u32::from(u16::MAX), Release);
+        let last = mvWorldId { index1: first.index1, generation: u16::MAX };
+        assert!(mvWorld_IsValid(last) && !mvWorld_IsValid(first));
+        mvDestroyWorld(last);
+        let others: Vec<_> = (0..3).map(|_| new_world()).collect();
+        assert!(others.iter().all(|w| w.index1 != first.index1));
+        others.into_iter().for_each(|w| mvDestroyWorld(w));
+    }
 }

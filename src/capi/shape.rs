@@ -1,13 +1,15 @@
 //! Shapes: attaching, destroying, and what they are made of.
 
+use super::access::{edit_at_shape, read_shape, view_shape, write_shape};
 use super::def::*;
+use super::def_check::{flag, from_word, to_word};
 use super::error::text;
-use super::guard::needed;
+use super::guard::{call, needed};
 use super::hull::transformed;
 use super::hull_data::{Tables, checked, mvHullData, points, solid};
 use super::id::{mvBodyId, mvShapeId, mvWorldId};
 use super::math::{mvPlane, mvTransform, mvVec3};
-use super::registry::{self, edit_at_body, edit_at_shape, read_shape, view_shape, write_shape};
+use super::registry;
 use super::shape_data::{mvCapsule, mvSphere};
 use super::side::Named;
 use super::{Flag, mvFloat};
@@ -150,18 +152,20 @@ pub unsafe extern "C" fn mvCreatePlaneShape(
     })
 }
 
+/// Looks up, then builds the geometry, then takes the world: a fault in the building breaks no world.
 fn attach(
     body_id: mvBodyId,
     def: Option<&mvShapeDef>,
     geometry: impl FnOnce() -> Result<(Shape, Pose)>,
 ) -> mvShapeId {
-    edit_at_body(body_id, |e| {
-        // Null, foreign and stale ids first: they tell more than what is wrong with the rest.
-        e.world.body(body_id.into())?;
+    call(|| {
+        super::access::look_up_body(body_id)?;
         // Sound: the caller's name is null or a string.
         let def = unsafe { needed("The definition", def)?.checked() }?;
         let (shape, local) = geometry()?;
-        e.world.create_shape(body_id.into(), &def, shape, local).map(Into::into)
+        super::access::edit_at(body_id, |e| {
+            e.world.create_shape(body_id.into(), &def, shape, local).map(Into::into)
+        })
     })
 }
 
@@ -179,7 +183,7 @@ pub extern "C" fn mvDestroyShape(shape_id: mvShapeId, update_body_mass: Flag) {
 /// Does this id name a shape that lives? Never fails; false also while another thread changes the world.
 #[unsafe(no_mangle)]
 pub extern "C" fn mvShape_IsValid(id: mvShapeId) -> bool {
-    registry::is_shape(id)
+    super::access::is_shape(id)
 }
 
 /// Get what a shape is.
@@ -335,12 +339,14 @@ pub unsafe extern "C" fn mvShape_SetHull(shape_id: mvShapeId, hull: *const mvHul
 }
 
 fn reshape(shape_id: mvShapeId, geometry: impl FnOnce() -> Result<(Shape, Pose)>) {
-    edit_at_shape(shape_id, |e| {
-        e.world.shape(shape_id.into())?;
+    call(|| {
+        super::access::look_up_shape(shape_id)?;
         let (shape, local) = geometry()?;
-        e.world.shape_mut(shape_id.into())?.set_shape(shape, &local, false)?;
-        e.side.forget_hull(shape_id.index1 as u32);
-        Ok(())
+        super::access::edit_shape(shape_id, |e| {
+            e.world.shape_mut(shape_id.into())?.set_shape(shape, &local, false)?;
+            e.side.forget_hull(shape_id.index1 as u32);
+            Ok(())
+        })
     });
 }
 

@@ -1,12 +1,13 @@
 //! Shapes: surface, filter, events, measurements.
 
+use super::access::{read_shape, view_shape, write_shape};
 use super::contact::mvContactData;
 use super::def::*;
+use super::def_check::flag;
 use super::geometry::mvWorldCastOutput;
 use super::guard::{Neutral, c_count, fill, room};
 use super::id::mvShapeId;
 use super::math::{mvAABB, mvPos, mvVec3};
-use super::registry::{read_shape, view_shape, write_shape};
 use super::shape_data::mvMassData;
 use super::{Flag, mvFloat};
 use crate::math::Vec3;
@@ -120,9 +121,12 @@ pub extern "C" fn mvShape_GetFilter(shape_id: mvShapeId) -> mvFilter {
 /// found again in the next step.
 /// @param shapeId the shape
 /// @param filter the filter
+/// @param invokeContacts whether contacts are to be found anew; today they always are
+/// @note Errors: mv_errorRange for a flag that is neither true nor false.
 #[unsafe(no_mangle)]
-pub extern "C" fn mvShape_SetFilter(shape_id: mvShapeId, filter: mvFilter) {
+pub extern "C" fn mvShape_SetFilter(shape_id: mvShapeId, filter: mvFilter, invoke_contacts: Flag) {
     write_shape(shape_id, |mut s| {
+        flag("invokeContacts", invoke_contacts)?;
         s.set_filter(filter.raw());
         Ok(())
     });
@@ -134,7 +138,7 @@ pub extern "C" fn mvShape_SetFilter(shape_id: mvShapeId, filter: mvFilter) {
 #[unsafe(no_mangle)]
 pub extern "C" fn mvShape_EnableContactEvents(shape_id: mvShapeId, flag: Flag) {
     write_shape(shape_id, |mut s| {
-        s.enable_contact_events(super::def::flag("flag", flag)?);
+        s.enable_contact_events(super::def_check::flag("flag", flag)?);
         Ok(())
     });
 }
@@ -152,7 +156,7 @@ pub extern "C" fn mvShape_AreContactEventsEnabled(shape_id: mvShapeId) -> bool {
 #[unsafe(no_mangle)]
 pub extern "C" fn mvShape_EnablePreSolveEvents(shape_id: mvShapeId, flag: Flag) {
     write_shape(shape_id, |mut s| {
-        s.enable_pre_solve_events(super::def::flag("flag", flag)?);
+        s.enable_pre_solve_events(super::def_check::flag("flag", flag)?);
         Ok(())
     });
 }
@@ -170,7 +174,7 @@ pub extern "C" fn mvShape_ArePreSolveEventsEnabled(shape_id: mvShapeId) -> bool 
 #[unsafe(no_mangle)]
 pub extern "C" fn mvShape_EnableHitEvents(shape_id: mvShapeId, flag: Flag) {
     write_shape(shape_id, |mut s| {
-        s.enable_hit_events(super::def::flag("flag", flag)?);
+        s.enable_hit_events(super::def_check::flag("flag", flag)?);
         Ok(())
     });
 }

@@ -1,11 +1,13 @@
 //! Worlds: making, stepping, destroying.
 
+use super::access::{read_world, write_world};
 use super::def::*;
+use super::def_check::{from_word, to_word};
 use super::guard::{c_count, call, needed};
 use super::id::mvWorldId;
 use super::math::mvAABB;
 use super::mvFloat;
-use super::registry::{self, read_world, write_world};
+use super::registry;
 use crate::error::{Error, ErrorCode};
 use crate::math::Aabb;
 use core::ffi::{c_int, c_void};

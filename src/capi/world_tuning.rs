@@ -1,10 +1,9 @@
 //! How a world behaves, and what can be measured of it.
 
-use super::def::flag;
+use super::access::{read_world, write_world};
 use super::guard::{c_count, neutral};
 use super::id::mvWorldId;
 use super::math::mvVec3;
-use super::registry::{read_world, write_world};
 use super::{Flag, mvFloat};
 use crate::error::{Error, ErrorCode};
 use core::ffi::c_int;
@@ -169,7 +168,7 @@ pub extern "C" fn mvWorld_GetGravity(world_id: mvWorldId) -> mvVec3 {
 #[unsafe(no_mangle)]
 pub extern "C" fn mvWorld_EnableSleeping(world_id: mvWorldId, flag: Flag) {
     write_world(world_id, |e| {
-        e.world.enable_sleeping(self::flag("flag", flag)?);
+        e.world.enable_sleeping(super::def_check::flag("flag", flag)?);
         Ok(())
     });
 }
@@ -187,7 +186,7 @@ pub extern "C" fn mvWorld_IsSleepingEnabled(world_id: mvWorldId) -> bool {
 #[unsafe(no_mangle)]
 pub extern "C" fn mvWorld_EnableWarmStarting(world_id: mvWorldId, flag: Flag) {
     write_world(world_id, |e| {
-        e.world.enable_warm_starting(self::flag("flag", flag)?);
+        e.world.enable_warm_starting(super::def_check::flag("flag", flag)?);
         Ok(())
     });
 }

@@ -154,10 +154,10 @@ static void settings(void)
     FAILS(mv_errorNotFinite, mvShape_SetSurfaceMaterial, mvShape_SetSurfaceMaterial(s, m));
     filter.groupIndex = -3;
     filter.maskBits = 5;
-    mvShape_SetFilter(s, filter);
+    mvShape_SetFilter(s, filter, true);
     CHECK(mvShape_GetFilter(s).groupIndex == -3 && mvShape_GetFilter(s).maskBits == 5);
     CHECK(mvShape_GetFilter(s).categoryBits == MV_DEFAULT_CATEGORY_BITS);
-    mvShape_SetFilter(s, mvDefaultFilter());
+    mvShape_SetFilter(s, mvDefaultFilter(), false);
     mvShape_EnableContactEvents(s, false);
     mvShape_EnablePreSolveEvents(s, true);
     mvShape_EnableHitEvents(s, true);

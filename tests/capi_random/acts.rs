@@ -251,7 +251,9 @@ pub const ACTS: &[Act] = &[
             }
         }
     }),
-    ("contact", |s| drop(mvContact_IsValid(s.contacts[s.r.late(s.contacts.len())]))),
+    ("contact", |s| {
+        let _ = mvContact_IsValid(s.contacts[s.r.late(s.contacts.len())]);
+    }),
     ("cast at body", |s| {
         let (b, o, v, f, t) = (s.body(), s.r.pos(), s.r.vec(), s.r.filter(), s.r.world_transform());
         with_proxy(s, |s, proxy| {
@@ -319,7 +321,7 @@ pub const ACTS: &[Act] = &[
             3 => mvShape_SetStaticFriction(id, x),
             4 => mvShape_SetRestitution(id, x),
             5 => mvShape_SetSurfaceMaterial(id, s.shape_def().base_material),
-            6 => mvShape_SetFilter(id, s.shape_def().filter),
+            6 => mvShape_SetFilter(id, s.shape_def().filter, flag),
             7 => mvShape_EnableContactEvents(id, flag),
             8 => mvShape_EnablePreSolveEvents(id, flag),
             9 => mvShape_EnableHitEvents(id, flag),
@@ -384,9 +386,11 @@ pub const ACTS: &[Act] = &[
     ("destroy hull", |s| {
         if s.hulls.len() > 4 {
             let k = s.r.below(s.hulls.len());
-            mvDestroyHull(s.hulls.swap_remove(k));
+            // Sound: the story made it and has not destroyed it yet.
+            unsafe { mvDestroyHull(s.hulls.swap_remove(k)) };
         } else {
-            mvDestroyHull(std::ptr::without_provenance_mut(8 * s.r.below(1 << 20)));
+            // Sound: an address that no hull has is refused without being followed.
+            unsafe { mvDestroyHull(std::ptr::without_provenance_mut(8 * s.r.below(1 << 20))) };
         }
     }),
     ("make box", |s| {

@@ -57,15 +57,33 @@ fn generate() -> Result<String, Box<dyn Error>> {
 
     let mut out = Vec::new();
     Builder::new().with_config(config).with_src(capi.join("mod.rs")).generate()?.write(&mut out);
-    // Structs have a tag and a name; the name is enough wherever they are used.
-    let text: String = String::from_utf8(out)?
-        .split_inclusive('\n')
-        .map(|l| if l.starts_with("typedef struct") { l.to_owned() } else { l.replace("struct mv", "mv") })
-        .collect();
+    let text = names_for_tags(&String::from_utf8(out)?);
     let stray =
         text.lines().find(|l| !l.is_ascii() || l.contains('`') || l.contains("](") || l.contains("\\["));
     match stray {
         Some(line) => Err(format!("Markdown or non-ASCII in the C header: {line}").into()),
         None => Ok(text),
     }
+}
+
+/// Structs have a tag and a name; the name is enough wherever they are used. Parameters on lines of their own stay
+/// below each other.
+fn names_for_tags(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut shift = 0;
+    for line in text.split_inclusive('\n') {
+        if line.starts_with("typedef struct") {
+            out += line;
+            continue;
+        }
+        let indent = line.len() - line.trim_start_matches(' ').len();
+        let line = if shift > 0 && indent > shift { &line[shift..] } else { line };
+        if line.contains(';') {
+            shift = 0;
+        } else if let Some((before, _)) = line.split_once('(') {
+            shift = "struct ".len() * before.matches("struct mv").count();
+        }
+        out += &line.replace("struct mv", "mv");
+    }
+    out
 }

@@ -47,7 +47,8 @@ impl Hull {
             }
         }
         let cloud = Cloud::new(points)?;
-        let triangles = quick::triangles(&cloud.points, cloud.seed, cloud.flat, max_vertices);
+        let triangles = quick::triangles(&cloud.points, cloud.seed, cloud.flat, max_vertices)
+            .ok_or_else(|| degenerate("The points of the hull span no volume that can be told from none."))?;
         let loops = [2.0 * cloud.flat, 0.25 * cloud.flat, -1.0]
             .into_iter()
             .find_map(|flat| merge::polygons(&cloud.points, &triangles, flat))

@@ -63,8 +63,14 @@ struct Rim {
 /// The triangles of the hull of `points`, counter-clockwise from outside, grown from the tetrahedron `seed`. Points
 /// within `flat` of the hull count as inside. At most `max_vertices` vertices: the farthest points come first, so
 /// what is left out then is what matters least.
-pub(super) fn triangles(points: &[Wide], seed: [u32; 4], flat: f64, max_vertices: usize) -> Vec<[u32; 3]> {
-    let mut hull = tetrahedron(points, seed);
+/// `None` where a face of the seed is too thin to have a plane.
+pub(super) fn triangles(
+    points: &[Wide],
+    seed: [u32; 4],
+    flat: f64,
+    max_vertices: usize,
+) -> Option<Vec<[u32; 3]>> {
+    let mut hull = tetrahedron(points, seed)?;
     let mut uses = vec![0_u32; points.len()];
     for t in &hull {
         t.v.iter().for_each(|&v| uses[v as usize] += 1);
@@ -115,11 +121,11 @@ pub(super) fn triangles(points: &[Wide], seed: [u32; 4], flat: f64, max_vertices
         }
         distribute(points, &mut hull, first as usize, &orphans, flat);
     }
-    hull.iter().filter(|t| t.alive).map(|t| t.v).collect()
+    Some(hull.iter().filter(|t| t.alive).map(|t| t.v).collect())
 }
 
-/// The four triangles of the first solid, turned outwards.
-fn tetrahedron(points: &[Wide], [a, b, c, d]: [u32; 4]) -> Vec<Triangle> {
+/// The four triangles of the first solid, turned outwards; `None` where one is too thin to have a plane.
+fn tetrahedron(points: &[Wide], [a, b, c, d]: [u32; 4]) -> Option<Vec<Triangle>> {
     let p = |i: u32| points[i as usize];
     let up = (p(b) - p(a)).cross(&(p(c) - p(a))).dot(&(p(d) - p(a)));
     let (b, c) = if up > 0.0 { (c, b) } else { (b, c) };
@@ -129,9 +135,9 @@ fn tetrahedron(points: &[Wide], [a, b, c, d]: [u32; 4]) -> Vec<Triangle> {
     faces
         .into_iter()
         .map(|(v, across)| {
-            let mut t = Triangle::new(points, v).expect("the seed has volume");
+            let mut t = Triangle::new(points, v)?;
             t.across = across;
-            t
+            Some(t)
         })
         .collect()
 }
