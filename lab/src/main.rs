@@ -12,6 +12,7 @@ mod table;
 mod tour;
 
 use clap::{Parser, Subcommand};
+use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -49,7 +50,11 @@ enum Command {
 
 fn main() -> ExitCode {
     match run(Arguments::parse()) {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(text) => {
+            // Whoever reads this may have read enough.
+            let _ = std::io::stdout().write_all(text.as_bytes());
+            ExitCode::SUCCESS
+        }
         Err(message) => {
             eprintln!("merev: {message}");
             ExitCode::FAILURE
@@ -57,13 +62,11 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(arguments: Arguments) -> Result<(), String> {
+/// What to print.
+fn run(arguments: Arguments) -> Result<String, String> {
     match arguments.command {
         None => tour::run(),
-        Some(Command::List) => {
-            list();
-            Ok(())
-        }
+        Some(Command::List) => Ok(list()),
         Some(Command::Race { scene, peers, steps, repeats, out }) => {
             if peers && engines::ALL.len() == 1 {
                 return Err("no peers were built in; build with `--features peers`".into());
@@ -72,17 +75,16 @@ fn run(arguments: Arguments) -> Result<(), String> {
                 scenes::find(&scene).ok_or(format!("there is no scene `{scene}`; see `merev list`"))?;
             let steps = steps.map_or(scene.steps, |n| n as usize);
             let report = race::run(&scene, &race::Options { steps, repeats: repeats as usize, peers });
-            print!("{report}");
-            match out {
-                Some(path) => std::fs::write(&path, report)
-                    .map_err(|e| format!("{} is not written: {e}", path.display())),
-                None => Ok(()),
+            if let Some(path) = out {
+                std::fs::write(&path, &report)
+                    .map_err(|e| format!("{} is not written: {e}", path.display()))?;
             }
+            Ok(report)
         }
     }
 }
 
-fn list() {
+fn list() -> String {
     let mut table = table::Table::new(&["scene", "bodies", "steps", "about"]);
     for scene in scenes::ALL.iter().map(|build| build()) {
         table.row([
@@ -92,7 +94,6 @@ fn list() {
             scene.about.to_string(),
         ]);
     }
-    print!("{table}");
     let names: Vec<&str> = engines::ALL.iter().map(|maker| maker.name).collect();
-    println!("\nengines: {}", names.join(", "));
+    format!("{table}\nengines: {}\n", names.join(", "))
 }

@@ -76,7 +76,7 @@ out vec3 world, local, n; out vec4 shade; flat out vec4 form; flat out vec3 colo
 vec3 rotate(vec4 q, vec3 v) { return v + 2. * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 void main() {
   local = corner * size.xyz; world = place + rotate(turn, local); n = rotate(turn, normal);
-  form = size; color = paint; shade = light * vec4(world, 1); gl_Position = camera * vec4(world, 1);
+  form = size; color = paint; shade = light * vec4(world + .03 * n, 1); gl_Position = camera * vec4(world, 1);
 }`;
 const lighting = `
 uniform vec3 eye, sun, fog, sky, earth; uniform float reach; uniform sampler2DShadow shadow;
@@ -102,7 +102,7 @@ void main() {
   float slope = clamp(dot(m, sun), 0., 1.), s = lit(shade, 1. - slope) * slope;
   vec3 ambient = mix(earth, sky, .5 + .5 * m.y);
   vec3 h = normalize(v + sun); float gloss = pow(max(dot(m, h), 0.), 40.) * .22 * s + pow(1. - max(dot(m, v), 0.), 4.) * .10;
-  vec3 c = base * (ambient + vec3(1.9, 1.78, 1.6) * s) + gloss;
+  vec3 c = base * (ambient + vec3(1.75, 1.62, 1.42) * s) + gloss;
   result = vec4(mix(tone(c), fog, smoothstep(.6 * reach, reach, distance(eye, world))), 1);
 }`;
 const groundVertex = common + `
@@ -119,7 +119,7 @@ float grid(float pitch, float width) {
 }
 void main() {
   float s = lit(shade, .3) * sun.y; float line = max(.45 * grid(1., .012), grid(5., .022));
-  vec3 c = mix(floorColor, vec3(ink), .22 * line) * (mix(earth, sky, .9) + vec3(1.75, 1.66, 1.52) * s);
+  vec3 c = mix(floorColor, vec3(ink), .22 * line) * (mix(earth, sky, .9) + vec3(1.75, 1.66, 1.50) * s);
   result = vec4(mix(tone(c), fog, smoothstep(.12 * reach, .8 * reach, distance(eye, world))), 1);
 }`;
 const depthFragment = common + "void main() {}";
@@ -213,13 +213,13 @@ function draw() {
   const scale = Math.min(devicePixelRatio || 1, 2), w = Math.round(canvas.clientWidth * scale), h = Math.round(canvas.clientHeight * scale);
   if (canvas.width !== w || canvas.height !== h) { canvas.width = w; canvas.height = h; }
   const look = dark.matches
-    ? { fog: [.082, .102, .13], sky: [.30, .36, .47], earth: [.13, .12, .12], floor: [.10, .12, .155], ink: .75 }
-    : { fog: [.875, .905, .935], sky: [.62, .72, .86], earth: [.36, .33, .31], floor: [.60, .63, .67], ink: .08 };
+    ? { fog: [.082, .102, .13], sky: [.22, .28, .40], earth: [.10, .09, .09], floor: [.055, .066, .086], ink: .75 }
+    : { fog: [.875, .905, .935], sky: [.40, .49, .64], earth: [.25, .23, .22], floor: [.66, .69, .73], ink: .08 };
   const c = Math.cos(view.pitch), t = view.target, aspect = w / h;
   // On a narrow screen step back so that the scene still fits.
   const far = view.distance * Math.max(1, 1.15 / aspect);
   const eye = [t[0] + far * c * Math.sin(view.yaw), t[1] + far * Math.sin(view.pitch), t[2] + far * c * Math.cos(view.yaw)];
-  const reach = Math.max(90, 6 * far), sun = unit([-.46, .78, .5]), r = scene.radius, o = scene.camera.target;
+  const reach = Math.max(90, 6 * far), sun = unit([.60, .64, .46]), r = scene.radius, o = scene.camera.target;
   const camera = multiply(perspective(.62, aspect, far / 60, 4 * reach), lookAt(eye, t, [0, 1, 0]));
   const light = multiply(orthographic(r, 1, 4 * r), lookAt([o[0] + 2 * r * sun[0], o[1] + 2 * r * sun[1], o[2] + 2 * r * sun[2]], o, [0, 1, 0]));
 
