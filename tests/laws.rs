@@ -198,3 +198,86 @@ fn c3_a_sliding_ball_comes_to_roll() {
         }
     }
 }
+
+#[test]
+fn a_resting_box_neither_floats_nor_sinks() {
+    for turn in orientations() {
+        let mut scene = Scene::new(&def(), turn);
+        scene.floor(&surface(0.6, 0.0));
+        let put = scene.add(&BodyDef::dynamic(vec3(0.0, 0.5, 0.0)), &surface(0.6, 0.0), scenes::cube());
+        let dropped = scene.add(&BodyDef::dynamic(vec3(3.0, 0.52, 0.0)), &surface(0.6, 0.0), scenes::cube());
+        scene.steps(600);
+        for (name, body) in [("put down", put), ("dropped", dropped)] {
+            let height = scene.position(body).y - 0.5;
+            println!("{name}: {:.5} mm", height * 1e3);
+            assert!(height.abs() < 5e-5, "{name}: {height} m");
+        }
+    }
+}
+
+#[test]
+fn a3_the_mean_period_over_20_orientations_is_the_closed_form() {
+    let (mut sum, mut random) = (0.0, 1_u64);
+    for _ in 0..20 {
+        let mut next = || {
+            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (random >> 40) as Float / (1_u64 << 24) as Float - 0.5
+        };
+        let turn = merev::math::quat(next(), vec3(next(), next(), next()));
+        sum += period(turn);
+    }
+    let (mean, exact) = (sum / 20.0, 6.056_844);
+    println!("A3: mean period {mean} s");
+    let tolerance = if size_of::<Float>() == 4 { 1e-2 } else { 3e-4 };
+    assert!((mean / exact - 1.0).abs() < tolerance, "mean period {mean} s, exact {exact} s");
+}
+
+/// The period of the body-frame spin of the tumbling box, from the first and the last rising zero of ω_x in 40 s.
+fn period(turn: merev::Quat) -> Float {
+    let mut scene = Scene::new(&WorldDef { gravity: Vec3::zeros(), ..def() }, turn);
+    let (body, _) = tumbling(&mut scene, vec3(0.1, 5.0, 0.1));
+    let (mut zeros, mut last) = (Vec::new(), 0.0);
+    for step in 0..2400 {
+        scene.steps(1);
+        let view = scene.world.body(body).unwrap();
+        let w = rotate_back(&view.transform().q, view.angular_velocity()).z;
+        if step > 0 && last < 0.0 && w >= 0.0 {
+            zeros.push((step as Float + last / (last - w)) * H);
+        }
+        last = w;
+    }
+    (zeros[zeros.len() - 1] - zeros[0]) / (zeros.len() - 1) as Float
+}
+
+/// The box of accuracy.md A3, and its energy and angular momentum from the reported ω and q.
+fn tumbling(scene: &mut Scene, w: Vec3) -> (merev::BodyId, impl Fn(&Scene) -> (Vec3, Float) + use<>) {
+    let spin = BodyDef { angular_velocity: w, ..BodyDef::dynamic(Vec3::zeros()) };
+    let surface = ShapeDef { density: 10.0 / (0.1 * 0.4 * 0.9), ..ShapeDef::default() };
+    let body = scene.add(&spin, &surface, Shape::new_box(0.1, 0.4, 0.9));
+    let measure = move |scene: &Scene| {
+        let view = scene.world.body(body).unwrap();
+        let (q, w) = (view.transform().q, view.angular_velocity());
+        let l = rotate(&q, view.mass_data().inertia * rotate_back(&q, w));
+        (l, 0.5 * l.dot(&w))
+    };
+    (body, measure)
+}
+
+#[test]
+fn a5_a_fast_spin_keeps_l_and_energy() {
+    for turn in orientations() {
+        let mut scene = Scene::new(&WorldDef { gravity: Vec3::zeros(), ..def() }, turn);
+        // |ω| h = 0.5 with sub-steps of 1/240 s.
+        let (_, measure) = tumbling(&mut scene, vec3(2.4, 120.0, 2.4));
+        let (l0, e0) = measure(&scene);
+        let (mut worst_l, mut worst_e): (Float, Float) = (0.0, 0.0);
+        for _ in 0..600 {
+            scene.steps(1);
+            let (l, e) = measure(&scene);
+            worst_l = worst_l.max(length(l - l0) / length(l0));
+            worst_e = worst_e.max((e / e0 - 1.0).abs());
+        }
+        println!("A5: L {worst_l:e}, E {worst_e:e}");
+        assert!(worst_l < 1e-4 && worst_e < 1e-4, "L off by {worst_l}, energy by {worst_e}");
+    }
+}
