@@ -831,11 +831,11 @@ typedef struct mvWorldDef {
      */
     mvFloat hitEventThreshold;
     /**
-     * How stiff contacts are against overlap, as a fraction of the sub-step rate, > 0 and at most 0.5; default 0.125.
+     * How stiff contacts are against overlap, as a fraction of the sub-step rate, > 0 and at most 0.5; default 0.21.
      */
     mvFloat contactStiffness;
     /**
-     * How strongly the recovery of overlap is damped, > 0; 1 is critical; default 10.
+     * How strongly the recovery of overlap is damped, > 0; 1 is critical; default 0.5.
      */
     mvFloat contactDampingRatio;
     /**

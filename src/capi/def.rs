@@ -106,9 +106,9 @@ pub struct mvWorldDef {
     pub restitution_threshold: mvFloat,
     /// Collisions above this approach speed make hit events [m/s], >= 0; default 1.
     pub hit_event_threshold: mvFloat,
-    /// How stiff contacts are against overlap, as a fraction of the sub-step rate, > 0 and at most 0.5; default 0.125.
+    /// How stiff contacts are against overlap, as a fraction of the sub-step rate, > 0 and at most 0.5; default 0.21.
     pub contact_stiffness: mvFloat,
-    /// How strongly the recovery of overlap is damped, > 0; 1 is critical; default 10.
+    /// How strongly the recovery of overlap is damped, > 0; 1 is critical; default 0.5.
     pub contact_damping_ratio: mvFloat,
     /// The greatest speed at which overlap is pushed out [m/s], >= 0; default 3.
     pub contact_speed: mvFloat,

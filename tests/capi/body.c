@@ -9,6 +9,7 @@ static void definitions(void)
     mvBodyDef def = mvDefaultBodyDef(), bad = def;
     mvBodyId body;
     CHECK(def.type == mv_staticBody && def.gravityScale == 1 && def.enableSleep && def.isAwake && def.isEnabled);
+    CHECK(def.sleepThreshold == (mvFloat)0.05 && def.linearDamping == 0 && def.angularDamping == 0);
     FAILS(mv_errorNull, mvCreateBody, CHECK(MV_IS_NULL(mvCreateBody(world, NULL))));
     FAILS(mv_errorNull, mvCreateBody, mvCreateBody(mv_nullWorldId, &def));
     bad.internalValue = 0;

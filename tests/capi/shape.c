@@ -182,6 +182,8 @@ int main(void)
     mvBodyDef bodyDef = mvDefaultBodyDef();
     def = mvDefaultShapeDef();
     CHECK(def.density == 1000 && def.baseMaterial.friction == (mvFloat)0.6 && def.filter.maskBits == MV_DEFAULT_MASK_BITS);
+    CHECK(def.enableContactEvents && !def.enableHitEvents && !def.enablePreSolveEvents && def.updateBodyMass);
+    CHECK(def.baseMaterial.staticFriction < 0 && def.baseMaterial.restitution == 0);
     world = mvCreateWorld(&worldDef);
     ground = mvCreateBody(world, &bodyDef);
     bodyDef.type = mv_dynamicBody;

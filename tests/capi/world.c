@@ -20,6 +20,10 @@ static void definitions(void)
 {
     mvWorldDef def = mvDefaultWorldDef(), bad;
     CHECK(nearVec(def.gravity, vec(0, -10, 0), 0) && def.workerCount == 1 && def.enableSleep);
+    /* The defaults that the header names. */
+    CHECK(def.restitutionThreshold == (mvFloat)0.1 && def.hitEventThreshold == 1 && def.contactSpeed == 3);
+    CHECK(def.contactStiffness == (mvFloat)0.21 && def.contactDampingRatio == (mvFloat)0.5);
+    CHECK(def.maximumLinearSpeed > MV_FLOAT_MAX && def.enableWarmStarting && def.enableLoadMemory && def.accuracy == 0);
     FAILS(mv_errorNull, mvCreateWorld, CHECK(MV_IS_NULL(mvCreateWorld(NULL))));
     memset(&bad, 0, sizeof bad);
     FAILS(mv_errorDefinition, mvCreateWorld, mvCreateWorld(&bad));
