@@ -30,6 +30,8 @@ impl Box3d {
             def.gravity = vector(scene.gravity);
             def.enableSleep = scene.sleep;
             def.workerCount = 1;
+            // merev has no continuous collision yet; nobody is to pay for what the other does not do.
+            def.enableContinuous = false;
             // ∞ is refused; this is far beyond what any scene reaches.
             def.maximumLinearSpeed = 1e5;
             if let Some(speed) = scene.restitution_threshold {
