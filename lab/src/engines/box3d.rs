@@ -113,6 +113,20 @@ impl Engine for Box3d {
             }
         }));
     }
+
+    fn stages(&self) -> Vec<(&'static str, f32)> {
+        // SAFETY: the world lives as long as self.
+        let p = unsafe { b3::b3World_GetProfile(self.world) };
+        vec![
+            ("pairs", p.pairs),
+            ("contacts", p.collide),
+            ("set-up", p.solverSetup),
+            ("constraints", p.constraints),
+            ("transforms", p.transforms),
+            ("refit", p.refit),
+            ("sleep", p.sleepIslands),
+        ]
+    }
 }
 
 impl Drop for Box3d {
