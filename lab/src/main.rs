@@ -42,6 +42,9 @@ enum Command {
         /// How often to run it on each engine.
         #[arg(long, default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..))]
         repeats: u32,
+        /// Say what each engine says its stages took.
+        #[arg(long)]
+        stages: bool,
         /// Write the report into this file too.
         #[arg(long)]
         out: Option<PathBuf>,
@@ -67,14 +70,15 @@ fn run(arguments: Arguments) -> Result<String, String> {
     match arguments.command {
         None => tour::run(),
         Some(Command::List) => Ok(list()),
-        Some(Command::Race { scene, peers, steps, repeats, out }) => {
+        Some(Command::Race { scene, peers, steps, repeats, stages, out }) => {
             if peers && engines::ALL.len() == 1 {
                 return Err("no peers were built in; build with `--features peers`".into());
             }
             let scene =
                 scenes::find(&scene).ok_or(format!("there is no scene `{scene}`; see `merev list`"))?;
             let steps = steps.map_or(scene.steps, |n| n as usize);
-            let report = race::run(&scene, &race::Options { steps, repeats: repeats as usize, peers });
+            let report =
+                race::run(&scene, &race::Options { steps, repeats: repeats as usize, peers, stages });
             if let Some(path) = out {
                 std::fs::write(&path, &report)
                     .map_err(|e| format!("{} is not written: {e}", path.display()))?;

@@ -13,6 +13,8 @@ pub struct Options {
     pub repeats: usize,
     /// Engines other than ours too.
     pub peers: bool,
+    /// Say what each engine says its stages took.
+    pub stages: bool,
 }
 
 /// What an engine made of a scene.
@@ -21,14 +23,17 @@ struct Entry {
     /// Mean time of a step, the first one left out, for each repeat \[ms\].
     times: Vec<f64>,
     motions: Vec<Motion>,
+    /// Sums over all timed steps \[ms\].
+    stages: Vec<(&'static str, f64)>,
 }
 
 /// Runs the scene on the engines in turn, `repeats` times, so that what else the machine does meets all of them
 /// alike, and gives the report.
 pub fn run(scene: &Scene, options: &Options) -> String {
     let makers = engines::ALL.iter().take(if options.peers { usize::MAX } else { 1 });
-    let mut entries: Vec<Entry> =
-        makers.map(|&maker| Entry { maker, times: Vec::new(), motions: Vec::new() }).collect();
+    let mut entries: Vec<Entry> = makers
+        .map(|&maker| Entry { maker, times: Vec::new(), motions: Vec::new(), stages: Vec::new() })
+        .collect();
     let bar = progress::bar((options.repeats * entries.len() * options.steps) as u64, scene.name);
     for _ in 0..options.repeats {
         for entry in &mut entries {
@@ -37,6 +42,9 @@ pub fn run(scene: &Scene, options: &Options) -> String {
             let start = Instant::now();
             for _ in 1..options.steps {
                 engine.step();
+                if options.stages {
+                    add_stages(&mut entry.stages, &engine.stages());
+                }
             }
             let elapsed = start.elapsed().as_secs_f64();
             entry.times.push(1e3 * elapsed / (options.steps - 1) as f64);
@@ -46,6 +54,24 @@ pub fn run(scene: &Scene, options: &Options) -> String {
     }
     bar.finish_and_clear();
     report(scene, options, &entries)
+}
+
+fn add_stages(sums: &mut Vec<(&'static str, f64)>, step: &[(&'static str, f32)]) {
+    sums.resize(step.len(), ("", 0.0));
+    for (sum, &(name, ms)) in sums.iter_mut().zip(step) {
+        *sum = (name, sum.1 + f64::from(ms));
+    }
+}
+
+/// A line for each engine: the mean time of its stages.
+fn stage_lines(options: &Options, entries: &[Entry]) -> String {
+    let steps = (options.repeats * (options.steps - 1)) as f64;
+    let mut text = String::new();
+    for entry in entries.iter().filter(|e| !e.stages.is_empty()) {
+        let parts = entry.stages.iter().map(|(name, ms)| format!("{name} {}", milliseconds(ms / steps)));
+        text += &format!("{}: {}\n", entry.maker.name, parts.collect::<Vec<_>>().join(", "));
+    }
+    text
 }
 
 fn report(scene: &Scene, options: &Options, entries: &[Entry]) -> String {
@@ -88,7 +114,7 @@ fn report(scene: &Scene, options: &Options, entries: &[Entry]) -> String {
     let awake = if scene.sleep { "on" } else { "off" };
     format!(
         "{}: {}\n{} dynamic bodies, {} steps of {:.4} s in {} sub-steps, sleep {awake}, one thread; {} repeats in turn, first \
-         step not timed.\nState after the last step, measured for all with one ruler.\n\n{table}",
+         step not timed.\nState after the last step, measured for all with one ruler.\n\n{table}{}",
         scene.name,
         scene.about,
         scene.dynamic_count(),
@@ -96,6 +122,7 @@ fn report(scene: &Scene, options: &Options, entries: &[Entry]) -> String {
         scene.dt,
         scene.sub_steps,
         options.repeats,
+        stage_lines(options, entries),
     )
 }
 

@@ -27,6 +27,9 @@ struct Outcome {
 
 /// Runs everything, writes the page and gives the report.
 pub fn run() -> Result<String, String> {
+    if merev::capi::mvIsDoublePrecision() != cfg!(feature = "f64") {
+        return Err("library and C programs differ in precision; choose it with the lab's feature f64".into());
+    }
     let outcome = simulate()?;
     let path = write_replay(&outcome)?;
     let version = merev::capi::mvGetVersion();

@@ -30,6 +30,8 @@ impl Box3d {
             def.gravity = vector(scene.gravity);
             def.enableSleep = scene.sleep;
             def.workerCount = 1;
+            // merev has no continuous collision yet; nobody is to pay for what the other does not do.
+            def.enableContinuous = false;
             // ∞ is refused; this is far beyond what any scene reaches.
             def.maximumLinearSpeed = 1e5;
             if let Some(speed) = scene.restitution_threshold {
@@ -110,6 +112,20 @@ impl Engine for Box3d {
                 }
             }
         }));
+    }
+
+    fn stages(&self) -> Vec<(&'static str, f32)> {
+        // SAFETY: the world lives as long as self.
+        let p = unsafe { b3::b3World_GetProfile(self.world) };
+        vec![
+            ("pairs", p.pairs),
+            ("contacts", p.collide),
+            ("set-up", p.solverSetup),
+            ("constraints", p.constraints),
+            ("transforms", p.transforms),
+            ("refit", p.refit),
+            ("sleep", p.sleepIslands),
+        ]
     }
 }
 

@@ -118,4 +118,19 @@ impl Engine for Merev {
             }
         }));
     }
+
+    fn stages(&self) -> Vec<(&'static str, f32)> {
+        let p = self.world.profile();
+        vec![
+            ("boxes", p.update_bounds),
+            ("pairs", p.find_pairs),
+            ("contacts", p.update_contacts),
+            ("islands", p.build_islands),
+            ("prepare", p.prepare),
+            ("solve", p.solve),
+            ("advance", p.advance),
+            ("sleep", p.update_sleep),
+            ("events", p.publish_events),
+        ]
+    }
 }

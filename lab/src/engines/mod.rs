@@ -29,6 +29,8 @@ pub trait Engine {
     fn step(&mut self);
     /// Fills `out` with the dynamic bodies, in the scene's order.
     fn motions(&self, out: &mut Vec<Motion>);
+    /// What the stages of the last step took, as the engine itself tells it \[ms\]; always the same stages.
+    fn stages(&self) -> Vec<(&'static str, f32)>;
 }
 
 /// An engine that can build scenes.

@@ -42,24 +42,22 @@ pub fn convex_pile() -> Scene {
 }
 
 pub fn box_pile() -> Scene {
-    let mut scene = Scene::new("box_pile", "4000 boxes fall into a pit", 400);
+    let mut scene = Scene::new("box_pile", "4000 boxes of all sizes fall into a pit", 400);
     scene.floor([20.0, 1.0, 20.0]);
     for (x, z) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
-        let half = if z == 0.0 { [0.5, 10.0, 9.0] } else { [9.0, 10.0, 0.5] };
-        scene.bodies.push(Body::fixed(Form::Box(half), [8.5 * x, 10.0, 8.5 * z]));
+        let half = if z == 0.0 { [1.0, 15.0, 18.0] } else { [18.0, 15.0, 1.0] };
+        scene.bodies.push(Body::fixed(Form::Box(half), [17.0 * x, 15.0, 17.0 * z]));
     }
     let mut random = Random(7);
-    for layer in 0..40 {
-        for i in 0..10 {
-            for k in 0..10 {
-                let half = [0.5, 0.5, 0.5].map(|h| h + 0.3 * random.half());
-                let jitter = [random.half(), random.half(), random.half()].map(|r| 0.1 * r);
-                let at = [
-                    1.5 * (i as f32 - 4.5) + jitter[0],
-                    1.0 + 1.5 * layer as f32 + jitter[1],
-                    1.5 * (k as f32 - 4.5) + jitter[2],
-                ];
-                scene.bodies.push(Body::dynamic(Form::Box(half), at));
+    for layer in 0..10 {
+        for i in 0..20 {
+            for k in 0..20 {
+                let half = [0.45; 3].map(|h| h + 0.3 * random.half());
+                let turn = [random.half(), random.half(), random.half(), 1.0];
+                let size = turn.iter().map(|x| x * x).sum::<f32>().sqrt();
+                let at = [1.5 * (i as f32 - 9.5), 1.0 + 2.0 * layer as f32, 1.5 * (k as f32 - 9.5)];
+                let body = Body::dynamic(Form::Box(half), at);
+                scene.bodies.push(Body { rotation: turn.map(|x| x / size), ..body });
             }
         }
     }
