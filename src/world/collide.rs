@@ -6,7 +6,7 @@ use crate::body::{NONE, SetId};
 use crate::constraint::{Contact, ContactPoint, contact::flags};
 use crate::math::tolerance::{CONTACT_MARGIN, FAT_MARGIN, SAME_PLACE};
 use crate::math::{Aabb, Float, Pose, Vec3, length, length_squared, rotate, rotate_back};
-use crate::narrow_phase::{self, Manifold};
+use crate::narrow_phase::{self, Cache, Manifold};
 
 /// Lists that a step fills and empties.
 #[derive(Clone, Debug, Default)]
@@ -228,18 +228,7 @@ impl World {
         let way = length(relative) * dt + a.spin_way + b.spin_way + length(self.def.gravity) * dt * dt;
         let margin = CONTACT_MARGIN * size + way.min(size);
 
-        // a_from_b, from the difference of the centres: exact far from the origin, too.
-        let a_from_b = Pose::new(rotate_back(&a.q, (b.x - a.x) + b.arm - a.arm), a.q.conjugate() * b.q);
-        let mut manifold = Manifold::default();
-        narrow_phase::collide(
-            &a.collider.shape,
-            &b.collider.shape,
-            &a_from_b,
-            margin,
-            self.def.narrow_phase,
-            &mut contact.cache,
-            &mut manifold,
-        );
+        let mut manifold = self.meet(&a, &b, margin, &mut contact.cache);
         let normal = rotate(&a.q, manifold.normal);
 
         if a.asleep || b.asleep {
@@ -264,6 +253,30 @@ impl World {
         }
         self.carry_impulses(contact, &manifold, normal, &a, &b, size);
         self.mix_materials(contact, &a, &b);
+    }
+
+    /// The manifold of two sides, in the frame of A's shape.
+    fn meet(&self, a: &Side<'_>, b: &Side<'_>, margin: Float, cache: &mut Cache) -> Manifold {
+        // a_from_b, from the difference of the centres: exact far from the origin, too.
+        let a_from_b = Pose::new(rotate_back(&a.q, (b.x - a.x) + b.arm - a.arm), a.q.conjugate() * b.q);
+        let mut manifold = Manifold::default();
+        narrow_phase::collide(
+            &a.collider.shape,
+            &b.collider.shape,
+            &a_from_b,
+            margin,
+            self.def.narrow_phase,
+            cache,
+            &mut manifold,
+        );
+        manifold
+    }
+
+    /// The deepest overlap of a contact at the present poses \[m\]; 0 for none. Asks no callback.
+    pub(super) fn overlap_now(&self, contact: &Contact) -> Float {
+        let (a, b) = (self.side(contact.shape[0], 0.0), self.side(contact.shape[1], 0.0));
+        let manifold = self.meet(&a, &b, 0.0, &mut contact.cache.clone());
+        manifold.points().iter().fold(0.0, |deepest, p| deepest.max(-p.separation))
     }
 
     /// Takes the new points in; those with known features keep their impulses.

@@ -181,11 +181,7 @@ impl World {
             if !contact.is(flags::CONSTRAINT) {
                 continue;
             }
-            let mut now = *contact;
-            self.update_contact(&mut now, 0.0);
-            for p in now.points() {
-                deepest = deepest.max(-p.separation);
-            }
+            deepest = deepest.max(self.overlap_now(contact));
             for p in contact.points() {
                 if p.impulse > 0.0 {
                     let v = |side: usize| {
