@@ -115,6 +115,9 @@ impl World {
         for k in 0..self.islands.islands[island as usize].bodies.len() {
             let body = self.islands.islands[island as usize].bodies[k] as usize;
             self.bodies.transfer(body, set);
+            // What sleeps is at rest.
+            let (rows, row) = self.bodies.at_mut(body);
+            (rows.motion[row].p, rows.motion[row].l) = (Vec3::zeros(), Vec3::zeros());
         }
         for k in 0..self.islands.islands[island as usize].bodies.len() {
             let body = self.islands.islands[island as usize].bodies[k] as usize;
@@ -145,7 +148,7 @@ impl World {
         set.motion[row].p != Vec3::zeros() || set.motion[row].l != Vec3::zeros()
     }
 
-    /// Stage 10: counts how long bodies have been slow and puts islands to sleep that were long enough.
+    /// Stage 9: counts how long bodies have been slow and puts islands to sleep that were long enough.
     pub(super) fn update_sleep(&mut self, dt: Float) {
         if !self.def.enable_sleep {
             return;

@@ -5,6 +5,7 @@ mod collider;
 mod def;
 mod id;
 mod islands;
+mod publish;
 mod query;
 mod report;
 mod seed;

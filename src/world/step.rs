@@ -1,10 +1,8 @@
 //! One step, as a list of its stages.
 
-use super::{BodyMoveEvent, BodyType, ContactBeginEvent, ContactEndEvent, ContactHitEvent, World};
+use super::{BodyType, World};
 use crate::body::{NONE, SetId};
-use crate::constraint::contact::flags;
 use crate::error::{Error, ErrorCode, Result, check};
-use crate::math::tolerance::TOUCH_MARGIN;
 use crate::math::{Float, Vec3};
 use crate::solver::{Lanes, soft_step};
 use std::time::Instant;
@@ -101,92 +99,7 @@ impl World {
         self.keep_boxes_around_shapes();
     }
 
-    /// Stage 11.
-    fn publish_events(&mut self, dt: Float) {
-        self.publish_touches();
-        let stepped = dt > 0.0;
-        if stepped {
-            for row in 0..self.bodies.awake().len() {
-                let index = self.bodies.awake().index[row] as usize;
-                self.publish_move(index, false);
-            }
-            for k in 0..self.scratch.fell_asleep.len() {
-                let index = self.scratch.fell_asleep[k] as usize;
-                self.publish_move(index, true);
-            }
-            self.events.moved.sort_unstable_by_key(|e| e.body.index1);
-        }
-    }
-
-    fn publish_move(&mut self, index: usize, fell_asleep: bool) {
-        let (set, row) = self.bodies.at(index);
-        let event = BodyMoveEvent {
-            body: self.body_id(index),
-            transform: set.origin(row),
-            user_data: self.bodies.bodies[index].user_data,
-            fell_asleep,
-        };
-        self.events.moved.push(event);
-    }
-
-    fn publish_touches(&mut self) {
-        for k in 0..self.contacts.awake.len() {
-            let index = self.contacts.awake[k] as usize;
-            let contact = &self.contacts.contacts[index];
-            let size = contact.shape.iter().map(|&s| self.colliders[s as usize].inner_radius);
-            let slack = TOUCH_MARGIN * size.fold(Float::MAX, Float::min);
-            let was = contact.is(flags::TOUCHING);
-            // Beginning takes a force or an overlap; having begun, it takes a visible gap to end.
-            let is = contact
-                .points()
-                .iter()
-                .any(|p| p.total > 0.0 || p.separation <= if was { slack } else { 0.0 });
-            if contact.is(flags::EVENTS) && is != was {
-                let (a, b) =
-                    (self.shape_id(contact.shape[0] as usize), self.shape_id(contact.shape[1] as usize));
-                let id = self.contact_id(index);
-                if is {
-                    self.events.begin.push(ContactBeginEvent { shape_a: a, shape_b: b, contact: id });
-                } else {
-                    self.events.end.push(ContactEndEvent { shape_a: a, shape_b: b, contact: id });
-                }
-            }
-            if contact.is(flags::HIT_EVENTS) {
-                self.publish_hit(index);
-            }
-            self.contacts.contacts[index].set(flags::TOUCHING, is);
-        }
-        self.events.begin.sort_unstable_by_key(|e| e.contact.index1);
-        self.events.hit.sort_unstable_by_key(|e| e.contact.index1);
-    }
-
-    fn publish_hit(&mut self, index: usize) {
-        let contact = &self.contacts.contacts[index];
-        let fastest = contact
-            .points()
-            .iter()
-            .filter(|p| p.total > 0.0 && -p.approach > self.def.hit_event_threshold)
-            .fold(None, |best: Option<&crate::constraint::ContactPoint>, p| match best {
-                Some(b) if b.approach <= p.approach => Some(b),
-                _ => Some(p),
-            });
-        if let Some(p) = fastest {
-            let (set, row) = self.bodies.at(contact.body[0] as usize);
-            let materials = contact.shape.map(|s| self.colliders[s as usize].material.user_material_id);
-            let event = ContactHitEvent {
-                shape_a: self.shape_id(contact.shape[0] as usize),
-                shape_b: self.shape_id(contact.shape[1] as usize),
-                contact: self.contact_id(index),
-                point: set.motion[row].x + p.anchor,
-                normal: contact.normal,
-                approach_speed: -p.approach,
-                materials,
-            };
-            self.events.hit.push(event);
-        }
-    }
-
-    /// Stage 12: forces act for one step only.
+    /// Stage 11: forces act for one step only.
     fn end(&mut self, settings: &soft_step::Settings) {
         if settings.dt > 0.0 {
             let set = &mut self.bodies.sets[SetId::AWAKE.0 as usize];

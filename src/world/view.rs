@@ -630,7 +630,8 @@ impl BodyMut<'_> {
             self.world.wake_body(self.index);
         }
     }
-    /// Wakes the body's island, or puts it to sleep as it is, whatever its speed. Only dynamic bodies sleep.
+    /// Wakes the body's island, or puts it to sleep, whatever its speed: its velocities become 0. Only
+    /// dynamic bodies sleep.
     pub fn set_awake(&mut self, awake: bool) {
         let body = &self.world.bodies.bodies[self.index];
         if awake {
