@@ -10,7 +10,8 @@
 use super::SubStep;
 use super::contact_block::{ContactBlock, FrictionPart, ImpactPart};
 use super::rows::Rows;
-use crate::math::{Float, Vec3, rotate};
+use crate::math::tolerance::EPSILON;
+use crate::math::{Float, Vec3, length, rotate};
 use crate::simd::Lane;
 
 /// Finds the impacts of the sub-step that begins now.
@@ -87,6 +88,13 @@ fn reflect(gap: Float, v: Float, accel: Float, restitution: Float, sub: &SubStep
     Some(((way - s) / h, leaves + accel * rest))
 }
 
+/// `carried` with `part` given back. What rounding leaves of nothing is nothing, by the size of what went into the
+/// part: the body flies freely then, and its way is exact.
+fn taken_out(carried: Vec3, part: Vec3, size: Float) -> Vec3 {
+    let rest = carried + part;
+    if length(rest) <= 64.0 * EPSILON * size { Vec3::zeros() } else { rest }
+}
+
 /// Takes the impulses of impacts out of what the bodies carry to the next sub-step: they happen once.
 pub fn end<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>>(
     block: &mut ContactBlock<L, P, F, R>,
@@ -106,10 +114,16 @@ pub fn end<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>>(
                     continue;
                 }
                 let turn = r.cross(&p) + l;
-                let turn = if rows.aux[i].spin { turn } else { rows.inertia[i].times(turn) };
+                let lever = length(r) * length(p) + length(l);
+                let (turn, lever) = if rows.aux[i].spin {
+                    (turn, lever)
+                } else {
+                    (rows.inertia[i].times(turn), lever * rows.inertia[i].trace())
+                };
                 let inv_mass = rows.row[i].inv_mass();
-                rows.aux[i].warm[0] += p * (sign * inv_mass);
-                rows.aux[i].warm[1] += turn * sign;
+                let warm = &mut rows.aux[i].warm;
+                warm[0] = taken_out(warm[0], p * (sign * inv_mass), length(p) * inv_mass);
+                warm[1] = taken_out(warm[1], turn * sign, lever);
             }
         };
         for (k, p) in block.points.iter_mut().enumerate() {

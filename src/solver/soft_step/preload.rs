@@ -45,6 +45,8 @@ impl Preload {
             c.is(flags::CONSTRAINT)
                 && c.points().iter().all(|p| p.impulse == 0.0 && p.memory == 0.0 && p.approach > -slow)
                 && c.points().iter().any(|p| p.separation < near)
+                // What will bounce does not rest.
+                && (c.restitution == 0.0 || c.points().iter().all(|p| p.approach >= -settings.restitution_threshold))
         };
         let any = members.iter().any(|&b| {
             bodies.bodies[b as usize].contacts.iter().any(|&c| is_new(&contacts.contacts[c as usize]))

@@ -83,6 +83,12 @@ impl InertiaRow {
         Self([[m.m11, m.m12, m.m13, m.m22], [m.m23, m.m33, 0.0, 0.0]])
     }
 
+    /// The sum of the diagonal: an upper bound of what a unit angular impulse turns.
+    #[inline(always)]
+    pub fn trace(&self) -> Float {
+        self.0[0][0] + self.0[0][3] + self.0[1][1]
+    }
+
     /// I_w⁻¹ v.
     #[inline(always)]
     pub fn times(&self, v: Vec3) -> Vec3 {
