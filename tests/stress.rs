@@ -242,6 +242,13 @@ fn friction_beyond_the_range_of_numbers_holds() {
             SurfaceMaterial { friction, rolling_resistance: Float::MAX, ..SurfaceMaterial::default() };
         world.shape_mut(shape).unwrap().set_material(&material).unwrap();
     }
+    // Within the margin, but not pressed.
+    world.set_gravity(Vec3::zeros()).unwrap();
+    let shape = world.body(body).unwrap().shapes().next().unwrap();
+    world.shape_mut(shape).unwrap().set_shape(Shape::new_sphere(4.0), &Pose::IDENTITY, true).unwrap();
+    let mut b = world.body_mut(body).unwrap();
+    b.set_transform(&Pose::translation(vec3(0.0, 4.502, 0.0))).unwrap();
+    b.set_linear_velocity(vec3(0.5, 0.0, 0.0)).unwrap();
     for _ in 0..60 {
         world.try_step(DT, 4).unwrap();
     }
@@ -278,7 +285,8 @@ fn end_events_of_a_step_are_sorted() {
     for &body in bodies.iter().rev().step_by(2) {
         world.body_mut(body).unwrap().set_awake(true);
         let mut there = world.body(body).unwrap().transform();
-        there.p.y += 0.3;
+        // A visible gap, but their boxes still meet.
+        there.p.y += 0.03;
         world.body_mut(body).unwrap().set_transform(&there).unwrap();
     }
     world.try_step(DT, 4).unwrap();

@@ -325,7 +325,8 @@ impl World {
             None => ma.restitution.max(mb.restitution),
         };
         contact.rolling_lever = (ma.rolling_resistance * a.collider.rolling_radius())
-            .max(mb.rolling_resistance * b.collider.rolling_radius());
+            .max(mb.rolling_resistance * b.collider.rolling_radius())
+            .min(Float::MAX);
         contact.conveyor = if ma.tangent_velocity == Vec3::zeros() && mb.tangent_velocity == Vec3::zeros() {
             Vec3::zeros()
         } else {
