@@ -42,14 +42,16 @@ impl MassProps {
         extent: 0.0,
     };
 
-    /// From the sum of the shapes (or the user's own figures). A mass of 0 gives a body that keeps its velocity.
+    /// From the sum of the shapes (or the user's own figures). A mass of 0 gives a body that keeps its velocity; so
+    /// does one beyond the range of numbers, itself, its inverse or its centre.
     #[must_use]
     pub fn new(data: &MassData, extent: Float) -> Self {
-        if data.mass <= 0.0 {
+        let has_inverse = |x: Float| x > 0.0 && x.is_finite() && (1.0 / x).is_finite();
+        if !has_inverse(data.mass) || !crate::math::is_finite(data.center) {
             return Self { extent, ..Self::IMMOVABLE };
         }
         let axes = PrincipalAxes::of(&data.inertia);
-        let turns = axes.moments.min() > 0.0;
+        let turns = axes.moments.iter().all(|&m| has_inverse(m));
         let isotropic = !turns || crate::integrate::is_isotropic(axes.moments);
         let inv_inertia = if turns {
             let r = rotation_matrix(&axes.body_from_principal);

@@ -13,7 +13,7 @@ pub mod store;
 pub use mass::MassProps;
 pub use store::{BodySet, BodyStore, SetId};
 
-use crate::math::{Float, Pose, Quat, Vec3, rotate};
+use crate::math::{Float, Pose, Quat, Vec3, is_finite, rotate};
 use crate::world::{BodyType, MotionLocks};
 
 /// The moving state of a body. Written by `advance` and by setters.
@@ -40,6 +40,17 @@ impl Motion {
         let x = self.x + d;
         self.x_rest = d - (x - self.x);
         self.x = x;
+    }
+
+    /// Whether every number of it is finite.
+    #[inline]
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        let q = &self.q;
+        is_finite(self.x)
+            && is_finite(self.p)
+            && is_finite(self.l)
+            && [q.w, q.i, q.j, q.k].iter().all(|c| c.is_finite())
     }
 
     /// Puts the centre of mass to `x`.

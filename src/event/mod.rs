@@ -70,6 +70,8 @@ pub struct Events {
     pub hit: Vec<ContactHitEvent>,
     /// Ends since the last step.
     pub pending_end: Vec<ContactEndEvent>,
+    /// How many of `end` were pending when the step began.
+    pub announced: usize,
 }
 
 impl Events {
@@ -80,6 +82,7 @@ impl Events {
         self.hit.clear();
         self.end.clear();
         self.end.append(&mut self.pending_end);
+        self.announced = self.end.len();
     }
 
     /// Bytes held.

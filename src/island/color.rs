@@ -53,6 +53,12 @@ impl Coloring {
         }
     }
 
+    /// The bodies that have a constraint of this colour, in order.
+    pub fn holders(&self, color: usize) -> impl Iterator<Item = u32> + '_ {
+        (0..self.used[color].len() as u32 * 64)
+            .filter(move |&b| self.used[color][b as usize / 64] >> (b % 64) & 1 == 1)
+    }
+
     /// Bytes held.
     #[must_use]
     pub fn byte_count(&self) -> usize {

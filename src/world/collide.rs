@@ -324,7 +324,7 @@ impl World {
     fn mix_materials(&self, contact: &mut Contact, a: &Side<'_>, b: &Side<'_>) {
         let (ma, mb) = (&a.collider.material, &b.collider.material);
         let (ia, ib) = (ma.user_material_id, mb.user_material_id);
-        let root = |x: Float, y: Float| if x == y { x } else { (x * y).sqrt() };
+        let root = |x: Float, y: Float| if x == y { x } else { (x * y).sqrt().min(Float::MAX) };
         let (sa, sb) = (ma.resolved_static_friction(), mb.resolved_static_friction());
         (contact.friction, contact.static_friction) = match &self.callbacks.friction {
             Some(mix) => (
@@ -338,7 +338,8 @@ impl World {
             None => ma.restitution.max(mb.restitution),
         };
         contact.rolling_lever = (ma.rolling_resistance * a.collider.rolling_radius())
-            .max(mb.rolling_resistance * b.collider.rolling_radius());
+            .max(mb.rolling_resistance * b.collider.rolling_radius())
+            .min(Float::MAX);
         contact.conveyor = if ma.tangent_velocity == Vec3::zeros() && mb.tangent_velocity == Vec3::zeros() {
             Vec3::zeros()
         } else {

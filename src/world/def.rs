@@ -322,7 +322,7 @@ impl SurfaceMaterial {
         check::finite("static_friction", self.static_friction)?;
         check::within("restitution", self.restitution, 0.0, 1.0)?;
         check::not_negative("rolling_resistance", self.rolling_resistance)?;
-        check::finite_vec("tangent_velocity", self.tangent_velocity)?;
+        check::point("tangent_velocity", self.tangent_velocity)?;
         Ok(())
     }
 }

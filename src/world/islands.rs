@@ -194,7 +194,7 @@ impl World {
         self.scratch.slow_time = slow;
     }
 
-    fn touches_moving_kinematic(&self, island: usize) -> bool {
+    pub(super) fn touches_moving_kinematic(&self, island: usize) -> bool {
         self.islands.islands[island].bodies.iter().any(|&b| {
             self.bodies.bodies[b as usize].contacts.iter().any(|&c| {
                 let contact = &self.contacts.contacts[c as usize];

@@ -10,6 +10,7 @@ mod query;
 mod report;
 mod seed;
 mod step;
+mod validate;
 mod view;
 
 pub use collider::Collider;

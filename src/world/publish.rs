@@ -63,6 +63,7 @@ impl World {
             self.contacts.contacts[index].set(flags::TOUCHING, is);
         }
         self.events.begin.sort_unstable_by_key(|e| e.contact.index1);
+        self.events.end[self.events.announced..].sort_unstable_by_key(|e| e.contact.index1);
         self.events.hit.sort_unstable_by_key(|e| e.contact.index1);
     }
 

@@ -12,13 +12,19 @@ impl World {
     /// date.
     ///
     /// # Errors
-    /// NotFinite or Range: `dt` is not a finite number ≥ 0, or `sub_steps` is not in 1 … 1000.
+    /// NotFinite or Range: `dt` is not a finite number ≥ 0 or has no inverse, or `sub_steps` is not in 1 … 1000.
     pub fn try_step(&mut self, dt: Float, sub_steps: u32) -> Result<()> {
         check::not_negative("time_step", dt)?;
         if !(1..=1000).contains(&sub_steps) {
             return Err(Error::new(
                 ErrorCode::Range,
                 format!("sub_steps is {sub_steps}; it must be 1 … 1000."),
+            ));
+        }
+        if dt > 0.0 && !(sub_steps as Float / dt).is_finite() {
+            return Err(Error::new(
+                ErrorCode::Range,
+                format!("time_step is {dt}; its sub-steps are too short to be counted."),
             ));
         }
         let settings = self.begin(dt, sub_steps);
@@ -84,10 +90,12 @@ impl World {
         for row in 0..set.len() {
             if self.bodies.bodies[set.index[row] as usize].island == NONE {
                 let (v, w) = (set.velocity(row), set.angular_velocity(row));
-                let motion = &mut set.motion[row];
+                let mut motion = set.motion[row];
                 motion.shift(v * dt);
                 motion.q = crate::integrate::turn_by(&motion.q, w * dt);
-                if !crate::math::is_finite(motion.x) {
+                if motion.is_finite() {
+                    set.motion[row] = motion;
+                } else {
                     broken.push(set.index[row]);
                 }
             }
@@ -116,10 +124,6 @@ impl World {
     fn quarantine(&mut self, body: usize) {
         let (set, row) = self.bodies.at_mut(body);
         let motion = &mut set.motion[row];
-        if !crate::math::is_finite(motion.x) {
-            // Kinematic: its velocity carried it out of all bounds.
-            motion.place(motion.x.map(|x| if x.is_finite() { x } else { 0.0 }));
-        }
         (motion.p, motion.l) = (Vec3::zeros(), Vec3::zeros());
         self.bodies.bodies[body].quarantined = true;
         self.counts.quarantined += 1;

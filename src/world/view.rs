@@ -366,6 +366,7 @@ impl BodyMut<'_> {
         } else {
             Vec3::zeros()
         };
+        check::point("The angular velocity that follows", w)?;
         self.set_linear_velocity(v)?;
         self.set_angular_velocity(w)
     }
@@ -513,7 +514,7 @@ impl BodyMut<'_> {
         let (impulse, point) = (check::finite_vec("impulse", impulse)?, check::finite_vec("point", point)?);
         if self.pushed(wake) {
             let arm = point - self.as_ref().world_center();
-            self.change_momentum(impulse, arm.cross(&impulse));
+            self.change_momentum(impulse, arm.cross(&impulse))?;
         }
         Ok(())
     }
@@ -525,7 +526,7 @@ impl BodyMut<'_> {
     pub fn apply_linear_impulse_to_center(&mut self, impulse: Vec3, wake: bool) -> Result<()> {
         let impulse = check::finite_vec("impulse", impulse)?;
         if self.pushed(wake) {
-            self.change_momentum(impulse, Vec3::zeros());
+            self.change_momentum(impulse, Vec3::zeros())?;
         }
         Ok(())
     }
@@ -537,13 +538,15 @@ impl BodyMut<'_> {
     pub fn apply_angular_impulse(&mut self, impulse: Vec3, wake: bool) -> Result<()> {
         let impulse = check::finite_vec("impulse", impulse)?;
         if self.pushed(wake) {
-            self.change_momentum(Vec3::zeros(), impulse);
+            self.change_momentum(Vec3::zeros(), impulse)?;
         }
         Ok(())
     }
 
-    fn change_momentum(&mut self, p: Vec3, l: Vec3) {
+    fn change_momentum(&mut self, p: Vec3, l: Vec3) -> Result<()> {
         let (set, row) = self.at();
+        check::finite_vec("The momentum that follows", set.motion[row].p + p)?;
+        check::finite_vec("The angular momentum that follows", set.motion[row].l + l)?;
         let locks = set.drive[row].locks;
         if set.mass[row].inv_mass > 0.0 {
             set.motion[row].p += crate::body::store::without(p, locks.linear);
@@ -556,6 +559,7 @@ impl BodyMut<'_> {
                 set.set_angular_velocity(row, w);
             }
         }
+        Ok(())
     }
 
     /// Gives the body a mass of its own; shapes no longer change it until
@@ -630,8 +634,8 @@ impl BodyMut<'_> {
             self.world.wake_body(self.index);
         }
     }
-    /// Wakes the body's island, or puts it to sleep, whatever its speed: its velocities become 0. Only
-    /// dynamic bodies sleep.
+    /// Wakes the body's island, or puts it to sleep, whatever its speed: its velocities become 0. Only dynamic
+    /// bodies sleep, and none that a moving kinematic body touches.
     pub fn set_awake(&mut self, awake: bool) {
         let body = &self.world.bodies.bodies[self.index];
         if awake {
@@ -643,7 +647,9 @@ impl BodyMut<'_> {
                 world.islands.split(island, &mut world.bodies.bodies, &world.contacts.contacts);
             }
             let island = self.world.bodies.bodies[self.index].island;
-            self.world.put_to_sleep(island);
+            if !self.world.touches_moving_kinematic(island as usize) {
+                self.world.put_to_sleep(island);
+            }
         }
     }
 
@@ -957,12 +963,16 @@ impl ColliderMut<'_> {
         self.collider().user_data = data;
     }
 
-    /// Sets the surface; takes effect in the next step.
+    /// Sets the surface; takes effect in the next step. What lies on a conveyor that starts or stops wakes up.
     ///
     /// # Errors
     /// What [`SurfaceMaterial::validate`] says.
     pub fn set_material(&mut self, material: &SurfaceMaterial) -> Result<()> {
         material.validate()?;
+        if self.collider().material.tangent_velocity != material.tangent_velocity {
+            let body = self.collider().body as usize;
+            self.world.wake_touching(body);
+        }
         self.collider().material = *material;
         Ok(())
     }

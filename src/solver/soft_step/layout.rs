@@ -18,6 +18,10 @@ const BATCH_BYTES: usize = 512 << 10;
 /// order of its square.
 const SPIN_BOUND: Float = 2e-4;
 
+/// Impulses of loads grow with the sub-step, those of impacts and push-out do not: after a far shorter step, such as
+/// what rounding leaves of a frame, most are of the latter kind, and grown in full they would throw bodies about.
+const GREATEST_GROWTH: Float = 8.0;
+
 /// How many constraints are placed before their blocks are filled: a multiple of every width, few enough to stay
 /// in the cache.
 const CHUNK: usize = 512;
@@ -290,7 +294,8 @@ impl Workspace {
         // Between moving bodies, and on immovable ones.
         let softness_of = [(1.0, settings.push_out_between_moving), (2.0, settings.push_out_on_static)]
             .map(|(factor, speed)| soft(factor * settings.stiffness / h, settings.damping_ratio, h, speed));
-        let impulse_scale = if settings.last_h > 0.0 { h / settings.last_h } else { 1.0 };
+        let impulse_scale =
+            if settings.last_h > 0.0 { (h / settings.last_h).min(GREATEST_GROWTH) } else { 1.0 };
         let mut at = 0;
         for batch in 0..self.batches.len() {
             self.batches[batch].groups.start = self.groups.len();

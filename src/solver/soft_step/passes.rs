@@ -5,7 +5,7 @@ use super::{Settings, SubStep};
 use crate::body::store::without;
 use crate::body::{BodyStore, NONE};
 use crate::integrate::{PrincipalAxes, moser_veselov, turn_by};
-use crate::math::{Mat3, Quat, Vec3, is_finite, length, rotate, rotate_back, rotation_matrix};
+use crate::math::{Mat3, Quat, Vec3, length, rotate, rotate_back, rotation_matrix};
 use crate::solver::soft_step::rows::{Aux, InertiaRow, Row};
 
 impl Workspace {
@@ -159,9 +159,7 @@ impl Workspace {
                 } else {
                     w
                 };
-                let q_ok =
-                    new.q.w.is_finite() && new.q.i.is_finite() && new.q.j.is_finite() && new.q.k.is_finite();
-                if !(is_finite(new.x) && is_finite(new.p) && is_finite(new.l) && q_ok) {
+                if !new.is_finite() {
                     broken.push(set.index[at]);
                     continue;
                 }
