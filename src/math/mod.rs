@@ -93,17 +93,16 @@ pub fn skew(v: Vec3) -> Mat3 {
     Mat3::new(0.0, -v.z, v.y, v.z, 0.0, -v.x, -v.y, v.x, 0.0)
 }
 
-/// The quaternion `(s, v)` scaled to length 1; the identity where it has no length.
+/// The quaternion `(s, v)` scaled to length 1; the identity where it has no length. What is not finite stays so.
 #[inline(always)]
 #[must_use]
 pub fn quat(s: Float, v: Vec3) -> Quat {
     let l2 = s * s + v.dot(&v);
-    if l2 > 0.0 {
-        let k = 1.0 / l2.sqrt();
-        Quat::new_unchecked(nalgebra::Quaternion::new(s * k, v.x * k, v.y * k, v.z * k))
-    } else {
-        Quat::identity()
+    if l2 == 0.0 {
+        return Quat::identity();
     }
+    let k = 1.0 / l2.sqrt();
+    Quat::new_unchecked(nalgebra::Quaternion::new(s * k, v.x * k, v.y * k, v.z * k))
 }
 
 /// The rotation by `angle` \[rad\] about `axis` (any length but zero).

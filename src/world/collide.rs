@@ -32,6 +32,8 @@ struct Side<'a> {
     w: Vec3,
     /// Bound of the way it can go in this step \[m\], relative motion aside.
     spin_way: Float,
+    /// What gravity adds to the way in this step \[m\].
+    fall: Float,
     asleep: bool,
     moving: bool,
 }
@@ -212,6 +214,11 @@ impl World {
             v,
             w,
             spin_way: length(w) * dt * collider.reach,
+            fall: if moves {
+                length(self.def.gravity) * set.drive[row].gravity_scale.abs() * dt * dt
+            } else {
+                0.0
+            },
             asleep: body.set.is_sleeping(),
             moving: body.body_type != BodyType::Static,
             collider,
@@ -225,7 +232,7 @@ impl World {
         let size = |s: &Side<'_>| if s.moving { s.collider.inner_radius } else { Float::MAX };
         let size = size(&a).min(size(&b));
         let relative = b.v - a.v;
-        let way = length(relative) * dt + a.spin_way + b.spin_way + length(self.def.gravity) * dt * dt;
+        let way = length(relative) * dt + a.spin_way + b.spin_way + a.fall + b.fall;
         let margin = CONTACT_MARGIN * size + way.min(size);
 
         let mut manifold = self.meet(&a, &b, margin, &mut contact.cache);
