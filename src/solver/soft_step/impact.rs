@@ -88,11 +88,48 @@ fn reflect(gap: Float, v: Float, accel: Float, restitution: Float, sub: &SubStep
     Some(((way - s) / h, leaves + accel * rest))
 }
 
-/// `carried` with `part` given back. What rounding leaves of nothing is nothing, by the size of what went into the
-/// part: the body flies freely then, and its way is exact.
-fn taken_out(carried: Vec3, part: Vec3, size: Float) -> Vec3 {
-    let rest = carried + part;
-    if length(rest) <= 64.0 * EPSILON * size { Vec3::zeros() } else { rest }
+/// Impulses on B that are to be taken back, and on A with the opposite sign.
+#[derive(Default)]
+struct TakenBack {
+    p: Vec3,
+    /// Moments about the centres of A and B.
+    l: [Vec3; 2],
+    /// What went into them, by size.
+    p_size: Float,
+    l_size: [Float; 2],
+}
+
+impl TakenBack {
+    fn add(&mut self, p: Vec3, l: Vec3, arms: [Vec3; 2]) {
+        self.p += p;
+        self.p_size += length(p);
+        for (side, r) in arms.into_iter().enumerate() {
+            self.l[side] += r.cross(&p) + l;
+            self.l_size[side] += length(r) * length(p) + length(l);
+        }
+    }
+
+    /// Takes them out of what body `i`, on this side, carries to the next sub-step. What rounding leaves of nothing
+    /// is nothing, by the size of what went into it: the body flies freely then, and its way is exact.
+    fn take(&self, rows: &mut Rows, i: usize, side: usize) {
+        if i == 0 || rows.aux[i].kinematic {
+            return;
+        }
+        let sign = if side == 0 { 1.0 } else { -1.0 };
+        let inv_mass = rows.row[i].inv_mass();
+        let (turn, lever) = if rows.aux[i].spin {
+            (self.l[side], self.l_size[side])
+        } else {
+            (rows.inertia[i].times(self.l[side]), self.l_size[side] * rows.inertia[i].trace())
+        };
+        let rest = |carried: Vec3, part: Vec3, size: Float| {
+            let rest = carried + part * sign;
+            if length(rest) <= 64.0 * EPSILON * size { Vec3::zeros() } else { rest }
+        };
+        let warm = &mut rows.aux[i].warm;
+        warm[0] = rest(warm[0], self.p * inv_mass, self.p_size * inv_mass);
+        warm[1] = rest(warm[1], turn, lever);
+    }
 }
 
 /// Takes the impulses of impacts out of what the bodies carry to the next sub-step: they happen once.
@@ -108,24 +145,8 @@ pub fn end<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>>(
         }
         let (a, b) = (block.a.as_ref()[lane] as usize, block.b.as_ref()[lane] as usize);
         let (n, offset) = (block.normal.get(lane), block.offset.get(lane));
-        let mut remove = |p: Vec3, l: Vec3, ra: Vec3| {
-            for (i, sign, r) in [(a, 1.0, ra), (b, -1.0, ra + offset)] {
-                if i == 0 || rows.aux[i].kinematic {
-                    continue;
-                }
-                let turn = r.cross(&p) + l;
-                let lever = length(r) * length(p) + length(l);
-                let (turn, lever) = if rows.aux[i].spin {
-                    (turn, lever)
-                } else {
-                    (rows.inertia[i].times(turn), lever * rows.inertia[i].trace())
-                };
-                let inv_mass = rows.row[i].inv_mass();
-                let warm = &mut rows.aux[i].warm;
-                warm[0] = taken_out(warm[0], p * (sign * inv_mass), length(p) * inv_mass);
-                warm[1] = taken_out(warm[1], turn * sign, lever);
-            }
-        };
+        let mut back = TakenBack::default();
+        let mut remove = |p: Vec3, l: Vec3, ra: Vec3| back.add(p, l, [ra, ra + offset]);
         for (k, p) in block.points.iter_mut().enumerate() {
             if on[k].get(lane) != 0.0 {
                 remove(n * p.lambda.get(lane), Vec3::zeros(), p.r.get(lane));
@@ -146,6 +167,8 @@ pub fn end<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>>(
             e.lambda[0].put(lane, 0.0);
             e.lambda[1].put(lane, 0.0);
         }
+        back.take(rows, a, 0);
+        back.take(rows, b, 1);
     }
 }
 
