@@ -79,7 +79,7 @@ fn soft(hertz: Float, damping_ratio: Float, h: Float, push_out: Float) -> [Float
     [w / a1, a2 * a3, a3, push_out]
 }
 
-/// Solves all awake islands: velocities, impulses and moves are left in `work` and the contacts.
+/// Lays the awake islands out in `work`: rows, blocks and batches. New resting contacts get their first impulses.
 pub fn prepare(
     work: &mut Workspace,
     bodies: &BodyStore,
@@ -90,7 +90,7 @@ pub fn prepare(
     work.lay_out(bodies, contacts, islands, settings);
 }
 
-/// Takes every batch through its sub-steps.
+/// Takes every batch through its sub-steps: velocities and moves are left in `work`, impulses in the contacts.
 pub fn solve(work: &mut Workspace, bodies: &BodyStore, contacts: &mut ContactStore, settings: &Settings) {
     let sub = settings.sub_step();
     for batch in 0..work.batches.len() {
