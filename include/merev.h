@@ -1894,6 +1894,41 @@ typedef struct mvVec2 {
 #define mv_solver_softStep 1
 
 /**
+ * Velocities of the start of the step: the thesis's method, for comparison.
+ */
+#define mv_integrator_explicitEuler 1
+
+/**
+ * Velocities of the end of the step: what most engines do, for comparison.
+ */
+#define mv_integrator_semiImplicitEuler 2
+
+/**
+ * Exact flight, and a rotation that keeps energy and angular momentum.
+ */
+#define mv_integrator_moserVeselov 3
+
+/**
+ * Exact flight, rotation by exact turns about the principal axes.
+ */
+#define mv_integrator_symmetricSplitting 4
+
+/**
+ * Exact flight, rotation by the angular velocity of the middle of the step.
+ */
+#define mv_integrator_lieMidpoint 5
+
+/**
+ * Exact flight, rotation by Runge and Kutta's method of fourth order.
+ */
+#define mv_integrator_rk4 6
+
+/**
+ * Exact flight, rotation by elliptic functions.
+ */
+#define mv_integrator_exactRotation 7
+
+/**
  * All pairs are looked at: slow, simple, a yardstick.
  */
 #define mv_broadPhase_bruteForce 1

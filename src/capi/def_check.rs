@@ -60,7 +60,6 @@ pub(super) fn from_word(word: u64) -> *mut c_void {
 impl mvWorldDef {
     pub(super) fn checked(&self) -> Result<WorldDef> {
         check_cookie("World", self.internal_value, WORLD_COOKIE)?;
-        only_auto("integrator", self.integrator)?;
         only_auto("manifold", self.manifold)?;
         let def = WorldDef {
             gravity: self.gravity.raw(),
@@ -76,6 +75,7 @@ impl mvWorldDef {
             worker_count: self.worker_count,
             accuracy: self.accuracy,
             solver: super::kind::solver(self.solver)?,
+            integrator: super::kind::integrator(self.integrator)?,
             broad_phase: super::kind::broad_phase(self.broad_phase)?,
             narrow_phase: super::kind::narrow_phase(self.narrow_phase)?,
             user_data: to_word(self.user_data),

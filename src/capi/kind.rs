@@ -5,12 +5,27 @@ use super::def_check::choice;
 use super::guard::call;
 use crate::broad_phase::BroadPhaseKind;
 use crate::error::Result;
+use crate::integrate::IntegratorKind;
 use crate::narrow_phase::NarrowPhaseKind;
 use crate::solver::SolverKind;
 use core::ffi::{CStr, c_char};
 
 /// Soft contacts, sub-steps instead of iterations.
 pub const mv_solver_softStep: mvSolverKind = 1;
+/// Velocities of the start of the step: the thesis's method, for comparison.
+pub const mv_integrator_explicitEuler: mvIntegratorKind = 1;
+/// Velocities of the end of the step: what most engines do, for comparison.
+pub const mv_integrator_semiImplicitEuler: mvIntegratorKind = 2;
+/// Exact flight, and a rotation that keeps energy and angular momentum.
+pub const mv_integrator_moserVeselov: mvIntegratorKind = 3;
+/// Exact flight, rotation by exact turns about the principal axes.
+pub const mv_integrator_symmetricSplitting: mvIntegratorKind = 4;
+/// Exact flight, rotation by the angular velocity of the middle of the step.
+pub const mv_integrator_lieMidpoint: mvIntegratorKind = 5;
+/// Exact flight, rotation by Runge and Kutta's method of fourth order.
+pub const mv_integrator_rk4: mvIntegratorKind = 6;
+/// Exact flight, rotation by elliptic functions.
+pub const mv_integrator_exactRotation: mvIntegratorKind = 7;
 /// All pairs are looked at: slow, simple, a yardstick.
 pub const mv_broadPhase_bruteForce: mvBroadPhaseKind = 1;
 /// Trees of boxes that follow the motion.
@@ -23,6 +38,13 @@ pub const mv_narrowPhase_gjkEpa: mvNarrowPhaseKind = 2;
 // The numbers of the header are those of the engine.
 const _: () = {
     assert!(mv_solver_softStep == SolverKind::SoftStep as i32);
+    assert!(mv_integrator_explicitEuler == IntegratorKind::ExplicitEuler as i32);
+    assert!(mv_integrator_semiImplicitEuler == IntegratorKind::SemiImplicitEuler as i32);
+    assert!(mv_integrator_moserVeselov == IntegratorKind::MoserVeselov as i32);
+    assert!(mv_integrator_symmetricSplitting == IntegratorKind::SymmetricSplitting as i32);
+    assert!(mv_integrator_lieMidpoint == IntegratorKind::LieMidpoint as i32);
+    assert!(mv_integrator_rk4 == IntegratorKind::Rk4 as i32);
+    assert!(mv_integrator_exactRotation == IntegratorKind::ExactRotation as i32);
     assert!(mv_broadPhase_bruteForce == BroadPhaseKind::BruteForce as i32);
     assert!(mv_broadPhase_dynamicBvh == BroadPhaseKind::DynamicBvh as i32);
     assert!(mv_narrowPhase_specialised == NarrowPhaseKind::Specialised as i32);
@@ -44,7 +66,7 @@ pub extern "C" fn mvGetSolverKindName(kind: mvSolverKind) -> *const c_char {
 /// @note Errors: mv_errorRange.
 #[unsafe(no_mangle)]
 pub extern "C" fn mvGetIntegratorKindName(kind: mvIntegratorKind) -> *const c_char {
-    call(|| choice("kind", kind, &[mv_integrator_auto], |k| k).map(|_| constant("auto")))
+    call(|| Ok(constant(integrator(kind)?.name())))
 }
 
 /// Get the name of a broad phase.
@@ -78,6 +100,13 @@ pub(super) fn solver(kind: mvSolverKind) -> Result<SolverKind> {
     choice("solver", kind, &[SolverKind::Auto, SolverKind::SoftStep], |k| k as i32)
 }
 
+pub(super) fn integrator(kind: mvIntegratorKind) -> Result<IntegratorKind> {
+    if kind == mv_integrator_auto {
+        return Ok(IntegratorKind::Auto);
+    }
+    choice("integrator", kind, &IntegratorKind::ALL, |k| k as i32)
+}
+
 pub(super) fn broad_phase(kind: mvBroadPhaseKind) -> Result<BroadPhaseKind> {
     let all = [BroadPhaseKind::Auto, BroadPhaseKind::BruteForce, BroadPhaseKind::DynamicBvh];
     choice("broadPhase", kind, &all, |k| k as i32)
@@ -89,8 +118,21 @@ pub(super) fn narrow_phase(kind: mvNarrowPhaseKind) -> Result<NarrowPhaseKind> {
 
 /// The engine's name as a C constant.
 fn constant(name: &str) -> *const c_char {
-    const NAMES: [&CStr; 6] =
-        [c"auto", c"soft_step", c"brute_force", c"dynamic_bvh", c"specialised", c"gjk-epa"];
+    const NAMES: &[&CStr] = &[
+        c"auto",
+        c"soft_step",
+        c"explicit_euler",
+        c"semi_implicit_euler",
+        c"moser_veselov",
+        c"symmetric_splitting",
+        c"lie_midpoint",
+        c"rk4",
+        c"exact_rotation",
+        c"brute_force",
+        c"dynamic_bvh",
+        c"specialised",
+        c"gjk-epa",
+    ];
     NAMES.iter().find(|n| n.to_bytes() == name.as_bytes()).map_or(c"unnamed".as_ptr(), |n| n.as_ptr())
 }
 
@@ -106,6 +148,7 @@ mod tests {
             assert_ne!(unsafe { CStr::from_ptr(p) }, c"unnamed");
         };
         SolverKind::ALL.iter().for_each(|&k| named(mvGetSolverKindName(k as i32)));
+        IntegratorKind::ALL.iter().for_each(|&k| named(mvGetIntegratorKindName(k as i32)));
         BroadPhaseKind::ALL.iter().for_each(|&k| named(mvGetBroadPhaseKindName(k as i32)));
         NarrowPhaseKind::ALL.iter().for_each(|&k| named(mvGetNarrowPhaseKindName(k as i32)));
     }

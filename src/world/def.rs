@@ -2,6 +2,7 @@
 
 use crate::broad_phase::BroadPhaseKind;
 use crate::error::{Error, ErrorCode, Result, check};
+use crate::integrate::IntegratorKind;
 use crate::math::{Float, Quat, Vec3, vec3};
 use crate::narrow_phase::NarrowPhaseKind;
 use crate::solver::{Lanes, SolverKind};
@@ -65,6 +66,8 @@ pub struct WorldDef {
     pub accuracy: Float,
     /// The contact solver; default auto.
     pub solver: SolverKind,
+    /// How bodies move through a sub-step; default auto.
+    pub integrator: IntegratorKind,
     /// The broad phase; default auto.
     pub broad_phase: BroadPhaseKind,
     /// The narrow phase; default auto.
@@ -91,6 +94,7 @@ impl Default for WorldDef {
             worker_count: 1,
             accuracy: 0.0,
             solver: SolverKind::Auto,
+            integrator: IntegratorKind::Auto,
             broad_phase: BroadPhaseKind::Auto,
             narrow_phase: NarrowPhaseKind::Auto,
             lanes: Lanes::Auto,

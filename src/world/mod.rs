@@ -32,7 +32,7 @@ use crate::event::{BodyMoveEvent, ContactBeginEvent, ContactEndEvent, ContactHit
 use crate::island::{IslandStore, color::Coloring};
 use crate::math::{Float, Pose, Vec3};
 use crate::shape::{MassData, Shape};
-use crate::solver::soft_step;
+use crate::solver::Work;
 use std::sync::Arc;
 
 /// Decides whether two shapes may collide, asked when their boxes meet: (world, A, B).
@@ -76,7 +76,7 @@ pub struct World {
     pub(crate) coloring: Coloring,
     pub(crate) events: Events,
     pub(crate) callbacks: Callbacks,
-    pub(crate) work: soft_step::Workspace,
+    pub(crate) work: Work,
     pub(crate) scratch: collide::Scratch,
     /// Colliders whose fat box is new since the last `find_pairs`.
     pub(crate) moved: Vec<u32>,
@@ -120,7 +120,7 @@ impl World {
             coloring: Coloring::default(),
             events: Events::default(),
             callbacks: Callbacks::default(),
-            work: soft_step::Workspace::default(),
+            work: Work::default(),
             scratch: collide::Scratch::default(),
             moved: Vec::new(),
             last_h: 0.0,

@@ -102,9 +102,9 @@ impl World {
             awake_bodies: self.bodies.awake().len(),
             shapes: self.identity.shapes.live(),
             contacts: self.identity.contacts.live(),
-            constraints: self.work.constraints,
-            overflow: self.work.overflow,
-            islands: self.work.islands,
+            constraints: self.work.bodies.constraints,
+            overflow: self.work.soft_step.overflow,
+            islands: self.work.bodies.islands.len(),
             tree_height: self.broad_phase.stats().height,
             bytes: self.byte_count(),
         }

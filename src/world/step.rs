@@ -4,7 +4,7 @@ use super::{BodyType, World};
 use crate::body::{NONE, SetId};
 use crate::error::{Error, ErrorCode, Result, check};
 use crate::math::{Float, Vec3};
-use crate::solver::{Lanes, soft_step};
+use crate::solver::{Lanes, Settings};
 use std::time::Instant;
 
 impl World {
@@ -38,15 +38,9 @@ impl World {
         self.build_islands();
         self.profile.build_islands = clock.lap();
         if dt > 0.0 {
-            soft_step::prepare(
-                &mut self.work,
-                &self.bodies,
-                &mut self.contacts,
-                &mut self.islands,
-                &settings,
-            );
+            self.work.prepare(&self.bodies, &mut self.contacts, &mut self.islands, &settings);
             self.profile.prepare = clock.lap();
-            soft_step::solve(&mut self.work, &self.bodies, &mut self.contacts, &settings);
+            self.work.solve(&self.bodies, &mut self.contacts, &settings);
             self.profile.solve = clock.lap();
             self.advance(dt);
             self.profile.advance = clock.lap();
@@ -60,11 +54,13 @@ impl World {
         Ok(())
     }
 
-    fn begin(&mut self, dt: Float, sub_steps: u32) -> soft_step::Settings {
+    fn begin(&mut self, dt: Float, sub_steps: u32) -> Settings {
         self.events.begin_step();
         self.scratch.fell_asleep.clear();
         self.profile = super::Profile::default();
-        soft_step::Settings {
+        Settings {
+            solver: self.def.solver,
+            integrator: self.def.integrator,
             gravity: self.def.gravity,
             dt,
             sub_steps,
@@ -85,7 +81,7 @@ impl World {
     fn advance(&mut self, dt: Float) {
         let mut broken = std::mem::take(&mut self.scratch.broken);
         broken.clear();
-        self.work.write_back(&mut self.bodies, &mut broken);
+        self.work.bodies.write_back(&mut self.bodies, &mut broken);
         let set = &mut self.bodies.sets[SetId::AWAKE.0 as usize];
         for row in 0..set.len() {
             if self.bodies.bodies[set.index[row] as usize].island == NONE {
@@ -108,7 +104,7 @@ impl World {
     }
 
     /// Stage 11: forces act for one step only.
-    fn end(&mut self, settings: &soft_step::Settings) {
+    fn end(&mut self, settings: &Settings) {
         if settings.dt > 0.0 {
             let set = &mut self.bodies.sets[SetId::AWAKE.0 as usize];
             for drive in &mut set.drive {

@@ -18,9 +18,9 @@
 //!
 //! Legend: v ω velocity, r arm, n normal, t tangent, s separation, λ impulse, μ friction, h sub-step.
 
-use super::SubStep;
-use super::rows::{Gathered, Rows, turned_back_minus};
 use crate::simd::{Lane, V3};
+use crate::solver::SubStep;
+use crate::solver::rows::{Gathered, Rows, turned_back_minus};
 
 /// One contact point in each lane.
 #[derive(Clone, Copy, Debug)]

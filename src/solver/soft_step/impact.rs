@@ -7,12 +7,12 @@
 //! within the sub-step: that is rest, and left to the ordinary row. So the bounce does not depend on where in
 //! the sub-step it fell, and each impact is reflected once.
 
-use super::SubStep;
 use super::contact_block::{ContactBlock, FrictionPart, ImpactPart};
-use super::rows::Rows;
 use crate::math::tolerance::EPSILON;
 use crate::math::{Float, Vec3, length, rotate};
 use crate::simd::Lane;
+use crate::solver::SubStep;
+use crate::solver::rows::Rows;
 
 /// Finds the impacts of the sub-step that begins now.
 pub fn find<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>>(

@@ -2,17 +2,17 @@
 //! scene pays for what it models: no column and no branch for rolling, conveyors, restitution or points that are
 //! not there.
 
-use super::SubStep;
 use super::contact_block::{
     ContactBlock, Extra, Friction, FrictionPart, FullFriction, Impact, ImpactPart, NoFriction, NoImpact,
     tangents,
 };
 use super::impact;
-use super::rows::Rows;
 use crate::body::NONE;
 use crate::constraint::Contact;
 use crate::math::{Float, Vec3};
 use crate::simd::{Four, Lane, V3};
+use crate::solver::SubStep;
+use crate::solver::rows::Rows;
 use std::ops::Range;
 
 /// How many kinds there are.

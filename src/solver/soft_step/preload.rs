@@ -3,11 +3,11 @@
 //! each body's load shared by what supports it. Only contacts without impulses take the estimate, and only where
 //! nothing moves faster than a body dropped a moment ago; the solver corrects the rest.
 
-use super::Settings;
 use crate::body::BodyStore;
 use crate::constraint::{Contact, ContactStore, contact::flags};
 use crate::island::IslandStore;
 use crate::math::{Float, Vec3, length, length_squared};
+use crate::solver::Settings;
 
 /// Supports lean by up to 84° from the vertical.
 const LEAST_COSINE: Float = 0.1;

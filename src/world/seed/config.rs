@@ -1,6 +1,7 @@
 //! How a world is made.
 
 use crate::error::{Error, ErrorCode, Result, check, expect};
+use crate::integrate::IntegratorKind;
 use crate::math::{Float, Vec3, vec3};
 use crate::world::{Identity, SurfaceMaterial, World, WorldDef};
 
@@ -21,13 +22,15 @@ impl WorldPlan for &WorldDef {
 
 impl WorldPlan for WorldConfig {
     fn carry_out(self) -> Result<World> {
+        self.carry_out_by(WorldDef::default())
+    }
+}
+
+impl WorldConfig {
+    /// Makes the world by the methods that `def` names.
+    fn carry_out_by(self, def: WorldDef) -> Result<World> {
         self.validate()?;
-        let def = WorldDef {
-            gravity: self.gravity,
-            restitution_threshold: 0.0,
-            enable_sleep: false,
-            ..WorldDef::default()
-        };
+        let def = WorldDef { gravity: self.gravity, restitution_threshold: 0.0, enable_sleep: false, ..def };
         let mut world = def.carry_out()?;
         world.seed = Settings {
             solver_steps: self.solver_steps as u32,
@@ -132,6 +135,8 @@ impl Default for Settings {
 #[must_use = "there is no world before `build`"]
 pub struct WorldBuilder {
     config: WorldConfig,
+    /// The methods, of those that the engine has several of; the rest of it is not looked at.
+    methods: WorldDef,
 }
 
 impl WorldBuilder {
@@ -140,9 +145,16 @@ impl WorldBuilder {
         Self::default()
     }
 
-    fn checked(config: WorldConfig) -> Result<Self> {
-        config.validate()?;
-        Ok(Self { config })
+    fn with(mut self, set: impl FnOnce(&mut WorldConfig)) -> Result<Self> {
+        set(&mut self.config);
+        self.config.validate()?;
+        Ok(self)
+    }
+
+    /// Which integrator moves the bodies; the engine's choice otherwise.
+    pub fn integrator(mut self, kind: IntegratorKind) -> Self {
+        self.methods.integrator = kind;
+        self
     }
 
     /// Nothing falls.
@@ -182,7 +194,7 @@ impl WorldBuilder {
     /// # Errors
     /// NotFinite.
     pub fn try_gravity(self, gravity: Vec3) -> Result<Self> {
-        Self::checked(WorldConfig { gravity, ..self.config })
+        self.with(|config| config.gravity = gravity)
     }
 
     /// Into how many sub-steps the solver divides an update, 1 … 1000.
@@ -199,7 +211,7 @@ impl WorldBuilder {
     /// # Errors
     /// Range: also for 0.
     pub fn try_solver_steps(self, solver_steps: usize) -> Result<Self> {
-        Self::checked(WorldConfig { solver_steps, ..self.config })
+        self.with(|config| config.solver_steps = solver_steps)
     }
 
     /// How fast overlapping rigid bodies push each other apart, ≥ 0 (see [`WorldConfig`]).
@@ -216,7 +228,7 @@ impl WorldBuilder {
     /// # Errors
     /// NotFinite, Range.
     pub fn try_rb_separation_force(self, rb_separation_force: Float) -> Result<Self> {
-        Self::checked(WorldConfig { rb_separation_force, ..self.config })
+        self.with(|config| config.rb_separation_force = rb_separation_force)
     }
 
     /// How fast a static body pushes out a rigid one that overlaps it, ≥ 0 (see [`WorldConfig`]).
@@ -233,7 +245,7 @@ impl WorldBuilder {
     /// # Errors
     /// NotFinite, Range.
     pub fn try_sb_separation_force(self, sb_separation_force: Float) -> Result<Self> {
-        Self::checked(WorldConfig { sb_separation_force, ..self.config })
+        self.with(|config| config.sb_separation_force = sb_separation_force)
     }
 
     /// Impacts are perfectly inelastic.
@@ -262,7 +274,7 @@ impl WorldBuilder {
     /// # Errors
     /// NotFinite, Range.
     pub fn try_bounciness(self, bounciness: Float) -> Result<Self> {
-        Self::checked(WorldConfig { bounciness, ..self.config })
+        self.with(|config| config.bounciness = bounciness)
     }
 
     /// Everything is slippery.
@@ -285,7 +297,7 @@ impl WorldBuilder {
     /// # Errors
     /// NotFinite, Range.
     pub fn try_friction(self, friction: Float) -> Result<Self> {
-        Self::checked(WorldConfig { friction, ..self.config })
+        self.with(|config| config.friction = friction)
     }
 
     /// Makes the world.
@@ -303,6 +315,6 @@ impl WorldBuilder {
     /// # Errors
     /// None today: every setting was checked when it was given.
     pub fn try_build(self) -> Result<World> {
-        World::try_new(self.config)
+        self.config.carry_out_by(self.methods)
     }
 }

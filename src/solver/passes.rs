@@ -1,16 +1,16 @@
 //! The passes over bodies of a sub-step.
 
-use super::layout::Workspace;
+use super::bodies::Bodies;
+use super::rows::{Aux, InertiaRow, Row};
 use super::{Settings, SubStep};
 use crate::body::store::without;
 use crate::body::{BodyStore, NONE};
-use crate::integrate::{PrincipalAxes, moser_veselov, turn_by};
-use crate::math::{Mat3, Quat, Vec3, length, rotate, rotate_back, rotation_matrix};
-use crate::solver::soft_step::rows::{Aux, InertiaRow, Row};
+use crate::integrate::{Integrator, PrincipalAxes, with_integrator};
+use crate::math::{Float, Mat3, Quat, Vec3, length, rotate, rotate_back, rotation_matrix};
 
-impl Workspace {
+impl Bodies {
     /// Velocities after forces, damping and (but for the first sub-step) what constraints changed last time.
-    pub(super) fn apply_forces(&mut self, batch: usize, first: bool, sub: &SubStep, settings: &Settings) {
+    pub fn apply_forces(&mut self, batch: usize, first: bool, sub: &SubStep, settings: &Settings) {
         let range = self.batches[batch].rows.clone();
         let h = sub.h;
         for i in range {
@@ -43,8 +43,11 @@ impl Workspace {
     }
 
     /// Moves and turns the bodies of a batch by their velocities.
-    pub(super) fn move_bodies(&mut self, batch: usize, bodies: &BodyStore, sub: &SubStep) {
-        let h = sub.h;
+    pub fn move_bodies(&mut self, batch: usize, bodies: &BodyStore, sub: &SubStep) {
+        with_integrator!(sub.integrator, I => self.move_by::<I>(batch, bodies, sub.h));
+    }
+
+    fn move_by<I: Integrator>(&mut self, batch: usize, bodies: &BodyStore, h: Float) {
         for i in self.batches[batch].rows.clone() {
             let (row, aux, inertia) =
                 (&mut self.rows.row[i], &mut self.rows.aux[i], &mut self.rows.inertia[i]);
@@ -54,22 +57,22 @@ impl Workspace {
                 row.set_w(without(row.w(), locks.angular));
             }
             let (v, mut w) = (row.v(), row.w());
-            // Without a constraint the way is exact: v has had the whole sub-step's acceleration, the way half of it.
+            // Without a constraint the way may be exact: v has had the whole sub-step's acceleration, the way half.
             let free = v == aux.before[0] && w == aux.before[1];
-            let half = if free { 0.5 * h } else { 0.0 };
-            row.set_dx(row.dx() + (v - aux.accel * half) * h);
+            let lag = if free { I::LAG * h } else { 0.0 };
+            row.set_dx(row.dx() + (v - aux.accel * lag) * h);
             if aux.spin {
                 aux.first_dl = if free { Vec3::zeros() } else { inertia_times(aux, w - aux.before[1]) };
                 aux.l += aux.first_dl;
                 let axes = PrincipalAxes { moments: aux.moments, body_from_principal: Quat::identity() };
-                aux.q[0] = moser_veselov(&aux.q[0], aux.l - aux.torque * half, &axes, h);
+                aux.q[0] = I::turn(&aux.q[0], aux.l - aux.torque * lag, &axes, h);
                 row.set_dq(&(aux.q[0] * aux.q[1].conjugate()));
                 *inertia = InertiaRow::new(&inverse_inertia(aux));
                 w = inertia.times(aux.l);
                 row.set_w(w);
             } else {
-                let mean = if aux.torque == Vec3::zeros() { w } else { w - inertia.times(aux.torque) * half };
-                turn_row(row, mean * h);
+                let mean = if aux.torque == Vec3::zeros() { w } else { w - inertia.times(aux.torque) * lag };
+                turn_row::<I>(row, mean * h);
             }
             aux.middle = [v, w];
         }
@@ -77,12 +80,12 @@ impl Workspace {
             let row = &mut self.rows.row[i];
             row.set_dx(row.dx() + row.v() * h);
             let w = row.w();
-            turn_row(row, w * h);
+            turn_row::<I>(row, w * h);
         }
     }
 
     /// Notes what constraints changed in this sub-step, for the next one's warm start.
-    pub(super) fn carry_over(&mut self, batch: usize, bodies: &BodyStore) {
+    pub fn carry_over(&mut self, batch: usize, bodies: &BodyStore) {
         for i in self.batches[batch].rows.clone() {
             let (row, aux) = (&mut self.rows.row[i], &mut self.rows.aux[i]);
             if aux.locked {
@@ -108,7 +111,7 @@ impl Workspace {
     /// loses Δx × P of angular momentum. Each body of an isolated island gets L −= (Δx − Δx̄) × ΔP for the momentum
     /// ΔP that constraints gave it, Δx̄ being the island's mean displacement (any would do, as ΣΔP = 0; this one
     /// makes the result independent of the island's velocity).
-    pub(super) fn keep_angular_momentum(&mut self, batch: usize, after_relax: bool) {
+    pub fn keep_angular_momentum(&mut self, batch: usize, after_relax: bool) {
         for range in self.isolated[self.batches[batch].isolated.clone()].iter().cloned() {
             let (mut mass, mut shift) = (0.0, Vec3::zeros());
             for i in range.clone() {
@@ -189,8 +192,8 @@ fn inverse_inertia(aux: &Aux) -> Mat3 {
 
 /// Δq turned by the rotation vector `a` \[rad\].
 #[inline]
-fn turn_row(row: &mut Row, a: Vec3) {
+fn turn_row<I: Integrator>(row: &mut Row, a: Vec3) {
     if a != Vec3::zeros() {
-        row.set_dq(&turn_by(&row.dq(), a));
+        row.set_dq(&I::turn_by(&row.dq(), a));
     }
 }

@@ -1,0 +1,255 @@
+//! The bodies of a step as the solvers see them: rows in order of batch and island, and who is where.
+
+use super::Settings;
+use super::rows::{Aux, InertiaRow, Row, Rows};
+use crate::body::{BodySet, BodyStore, NONE, SetId};
+use crate::constraint::{ContactStore, contact::flags};
+use crate::integrate::IntegratorKind;
+use crate::island::IslandStore;
+use crate::math::{Float, Quat, Vec3, length};
+use std::ops::Range;
+
+/// A batch takes islands until its rows fill about half of a core's second-level cache \[bytes\].
+const BATCH_BYTES: usize = 512 << 10;
+
+/// Below this turn per sub-step \[rad\] I_w is left as it is within the step: the energy error of that is of the
+/// order of its square. Who names an integrator gets it for every turn.
+fn spin_bound(integrator: IntegratorKind) -> Float {
+    if integrator == IntegratorKind::Auto { 2e-4 } else { 0.0 }
+}
+
+/// Islands that one thread takes through all sub-steps.
+#[derive(Clone, Debug)]
+pub struct Batch {
+    /// Solver rows of the islands' bodies.
+    pub rows: Range<usize>,
+    /// Solver rows of the kinematic bodies that they touch (copies).
+    pub kinematic: Range<usize>,
+    /// Row ranges of islands that nothing immovable touches: their angular momentum is kept.
+    pub isolated: Range<usize>,
+    /// Places of its islands in [`Bodies::islands`].
+    pub islands: Range<usize>,
+}
+
+/// An awake island.
+#[derive(Clone, Debug)]
+pub struct AwakeIsland {
+    /// Its index in the store.
+    pub id: u32,
+    /// How many constraints it has.
+    pub constraints: u32,
+    /// The solver rows of its bodies.
+    pub rows: Range<usize>,
+}
+
+/// The bodies of the awake islands. All that is kept between steps is memory.
+#[derive(Debug, Default)]
+pub struct Bodies {
+    /// Their rows.
+    pub rows: Rows,
+    /// Batches of islands.
+    pub batches: Vec<Batch>,
+    /// The awake islands, in order of their first awake body.
+    pub islands: Vec<AwakeIsland>,
+    /// How many constraints they have.
+    pub constraints: usize,
+    pub(super) isolated: Vec<Range<usize>>,
+    /// Solver row by awake row.
+    row_of: Vec<u32>,
+    /// Place in `islands`, and batch, by island index.
+    place_of: Vec<u32>,
+    batch_of: Vec<u32>,
+    /// Batch and row of each kinematic body's last copy, by awake row.
+    kinematic_copy: Vec<[u32; 2]>,
+}
+
+impl Bodies {
+    /// Finds the awake islands and counts their constraints.
+    pub fn gather(&mut self, bodies: &BodyStore, contacts: &ContactStore, islands: &IslandStore) {
+        self.islands.clear();
+        self.place_of.clear();
+        self.place_of.resize(islands.islands.len(), NONE);
+        for &index in &bodies.awake().index {
+            let island = bodies.bodies[index as usize].island;
+            if island != NONE && self.place_of[island as usize] == NONE {
+                self.place_of[island as usize] = self.islands.len() as u32;
+                self.islands.push(AwakeIsland { id: island, constraints: 0, rows: 0..0 });
+            }
+        }
+        self.constraints = 0;
+        for &c in &contacts.awake {
+            let contact = &contacts.contacts[c as usize];
+            if let Some(island) = island_of(bodies, contact.body).filter(|_| contact.is(flags::CONSTRAINT)) {
+                self.islands[self.place_of[island as usize] as usize].constraints += 1;
+                self.constraints += 1;
+            }
+        }
+    }
+
+    /// Lays the bodies of the gathered islands out, by batch and island.
+    pub fn fill(&mut self, bodies: &BodyStore, islands: &IslandStore, settings: &Settings) {
+        let awake = bodies.awake();
+        let h = settings.h();
+        self.rows.row.clear();
+        self.rows.inertia.clear();
+        self.rows.aux.clear();
+        self.rows.row.push(Row::IMMOVABLE);
+        self.rows.inertia.push(InertiaRow::ZERO);
+        self.rows.aux.push(immovable_aux());
+        self.row_of.clear();
+        self.row_of.resize(awake.len(), 0);
+        self.batch_of.clear();
+        self.batch_of.resize(islands.islands.len(), NONE);
+        self.kinematic_copy.clear();
+        self.kinematic_copy.resize(awake.len(), [NONE; 2]);
+        self.batches.clear();
+        self.isolated.clear();
+
+        let mut bytes = usize::MAX;
+        for (place, awake_island) in self.islands.iter_mut().enumerate() {
+            let island = &islands.islands[awake_island.id as usize];
+            let size = island.bodies.len() * (size_of::<Row>() + size_of::<InertiaRow>() + size_of::<Aux>())
+                + awake_island.constraints as usize * 70 * size_of::<Float>();
+            if bytes == usize::MAX || bytes + size > BATCH_BYTES {
+                let (row, isolated) = (self.rows.row.len(), self.isolated.len());
+                self.batches.push(Batch {
+                    rows: row..row,
+                    kinematic: 0..0,
+                    isolated: isolated..isolated,
+                    islands: place..place,
+                });
+                bytes = 0;
+            }
+            bytes += size;
+            self.batch_of[awake_island.id as usize] = self.batches.len() as u32 - 1;
+            let start = self.rows.row.len();
+            for &body in &island.bodies {
+                let row = bodies.bodies[body as usize].row as usize;
+                self.row_of[row] = self.rows.row.len() as u32;
+                self.rows.push_body(awake, row, settings, h);
+            }
+            let end = self.rows.row.len();
+            awake_island.rows = start..end;
+            let batch = self.batches.last_mut().expect("pushed above");
+            batch.rows.end = end;
+            batch.islands.end = place + 1;
+            if !island.anchored && island.bodies.len() > 1 {
+                self.isolated.push(start..end);
+                batch.isolated.end = self.isolated.len();
+            }
+        }
+    }
+
+    /// The batch of an awake island, by its index in the store.
+    pub fn batch_of(&self, island: u32) -> u32 {
+        self.batch_of[island as usize]
+    }
+
+    /// The solver row of an island's body.
+    pub fn row_of(&self, bodies: &BodyStore, body: u32) -> usize {
+        self.row_of[bodies.bodies[body as usize].row as usize] as usize
+    }
+
+    /// From here on [`Bodies::row_for`] makes copies of kinematic bodies for this batch.
+    pub fn open_batch(&mut self, batch: usize) {
+        let end = self.rows.row.len();
+        self.batches[batch].kinematic = end..end;
+    }
+
+    /// The solver row of a body in the open batch; each batch has its own copies of kinematic bodies.
+    pub fn row_for(&mut self, bodies: &BodyStore, body: u32, batch: usize, settings: &Settings) -> u32 {
+        let b = &bodies.bodies[body as usize];
+        if b.set != SetId::AWAKE {
+            return 0;
+        }
+        if b.island != NONE {
+            return self.row_of[b.row as usize];
+        }
+        let copy = &mut self.kinematic_copy[b.row as usize];
+        if copy[0] != batch as u32 {
+            *copy = [batch as u32, self.rows.row.len() as u32];
+            self.rows.push_body(bodies.awake(), b.row as usize, settings, settings.h());
+            self.batches[batch].kinematic.end = self.rows.row.len();
+        }
+        copy[1]
+    }
+
+    /// Bytes held.
+    #[must_use]
+    pub fn byte_count(&self) -> usize {
+        self.rows.row.capacity() * size_of::<Row>()
+            + self.rows.inertia.capacity() * size_of::<InertiaRow>()
+            + self.rows.aux.capacity() * size_of::<Aux>()
+    }
+}
+
+/// The island that a pair of bodies belongs to: that of either one that moves.
+pub fn island_of(bodies: &BodyStore, pair: [u32; 2]) -> Option<u32> {
+    pair.iter().map(|&b| &bodies.bodies[b as usize]).find(|b| b.island != NONE).map(|b| b.island)
+}
+
+/// The centre of mass of a body \[m\].
+pub fn center(bodies: &BodyStore, body: u32) -> Vec3 {
+    let (set, row) = bodies.at(body as usize);
+    set.motion[row].x
+}
+
+fn immovable_aux() -> Aux {
+    let (zero, one) = (Vec3::zeros(), Quat::identity());
+    Aux {
+        accel: zero,
+        torque: zero,
+        before: [zero; 2],
+        middle: [zero; 2],
+        warm: [zero; 2],
+        first_dl: zero,
+        begin: [zero; 2],
+        l: zero,
+        q: [one; 2],
+        damping: [1.0; 2],
+        mass: 0.0,
+        moments: zero,
+        awake_row: NONE,
+        spin: false,
+        supported: true,
+        kinematic: true,
+        locked: false,
+    }
+}
+
+impl Rows {
+    /// Appends a body of the awake set.
+    fn push_body(&mut self, set: &BodySet, row: usize, settings: &Settings, h: Float) {
+        let (motion, mass, drive) = (&set.motion[row], &set.mass[row], &set.drive[row]);
+        let (v, w) = (set.velocity(row), set.angular_velocity(row));
+        let mut solver_row = Row::IMMOVABLE;
+        solver_row.set_v(v);
+        solver_row.set_w(w);
+        solver_row.0[0][3] = mass.inv_mass;
+        self.row.push(solver_row);
+        self.inertia.push(InertiaRow::new(&set.inv_inertia[row]));
+        let q = motion.q * mass.principal;
+        let moves = !drive.kinematic && mass.inv_mass > 0.0;
+        let turns_freely = mass.turns() && drive.locks.angular == [false; 3];
+        self.aux.push(Aux {
+            accel: if moves {
+                settings.gravity * drive.gravity_scale + drive.force * mass.inv_mass
+            } else {
+                Vec3::zeros()
+            },
+            torque: drive.torque,
+            begin: [v, w],
+            l: motion.l,
+            q: [q, q],
+            damping: [1.0 / (1.0 + h * drive.linear_damping), 1.0 / (1.0 + h * drive.angular_damping)],
+            mass: mass.mass,
+            moments: mass.moments,
+            awake_row: row as u32,
+            spin: !mass.isotropic && turns_freely && length(w) * h > spin_bound(settings.integrator),
+            supported: false,
+            kinematic: drive.kinematic,
+            locked: drive.locks.any(),
+            ..immovable_aux()
+        });
+    }
+}
