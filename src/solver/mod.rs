@@ -5,12 +5,13 @@
 //! | [`soft_step`] | sub-steps instead of iterations: soft contacts with a relax pass, load memory | Catto, "Solver2D" (2024); load memory is our own | two sweeps over the rows a sub-step | always, so far | very tall stacks and load ratios above 1000 settle slowly |
 
 pub mod bodies;
+pub mod joints;
 mod passes;
 pub mod rows;
 pub mod soft_step;
 
 use crate::body::BodyStore;
-use crate::constraint::ContactStore;
+use crate::constraint::{ContactStore, JointStore};
 use crate::integrate::IntegratorKind;
 use crate::island::IslandStore;
 use crate::math::{Float, Vec3};
@@ -132,6 +133,8 @@ impl Settings {
 pub struct Work {
     /// The bodies of the step.
     pub bodies: Bodies,
+    /// The joints of the step.
+    pub joints: joints::Workspace,
     /// Of [`soft_step`].
     pub soft_step: soft_step::Workspace,
 }
@@ -149,22 +152,31 @@ impl Work {
         &mut self,
         bodies: &BodyStore,
         contacts: &mut ContactStore,
+        joints: &JointStore,
         islands: &mut IslandStore,
         settings: &Settings,
     ) {
         self.bodies.gather(bodies, contacts, islands);
         match settings.solver {
             SolverKind::Auto | SolverKind::SoftStep => {
-                self.soft_step.lay_out(&mut self.bodies, bodies, contacts, islands, settings);
+                let Self { bodies: rows, joints: joint_rows, soft_step } = self;
+                soft_step.lay_out(rows, joint_rows, bodies, contacts, joints, islands, settings);
             }
         }
     }
 
     /// Takes every batch through the step: velocities and moves are left in the rows, impulses in the contacts.
-    pub fn solve(&mut self, bodies: &BodyStore, contacts: &mut ContactStore, settings: &Settings) {
+    pub fn solve(
+        &mut self,
+        bodies: &BodyStore,
+        contacts: &mut ContactStore,
+        joints: &mut JointStore,
+        settings: &Settings,
+    ) {
         match settings.solver {
             SolverKind::Auto | SolverKind::SoftStep => {
-                soft_step::solve(&mut self.soft_step, &mut self.bodies, bodies, contacts, settings);
+                let Self { bodies: rows, joints: joint_rows, soft_step } = self;
+                soft_step::solve(soft_step, rows, joint_rows, bodies, contacts, joints, settings);
             }
         }
     }
@@ -172,6 +184,6 @@ impl Work {
     /// Bytes held.
     #[must_use]
     pub fn byte_count(&self) -> usize {
-        self.bodies.byte_count() + self.soft_step.byte_count()
+        self.bodies.byte_count() + self.joints.byte_count() + self.soft_step.byte_count()
     }
 }
