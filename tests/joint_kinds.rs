@@ -194,7 +194,9 @@ fn reported_forces_are_what_changed_the_momentum() {
             let (force, torque) =
                 (w.joint(joint).unwrap().constraint_force(), w.joint(joint).unwrap().constraint_torque());
             let dp = w.body(b).unwrap().momentum() - p - vec3(0.0, -10.0 * DT, 0.0);
-            assert!(length(dp - force * DT) < 2e-5 * (1.0 + length(dp)), "{}: {dp} {force}", kind.name());
+            // The momentum of the fall rounds in each sub-step.
+            let rounding = if SINGLE { 2e-5 } else { 1e-12 };
+            assert!(length(dp - force * DT) < rounding * (1.0 + length(p)), "{}: {dp} {force}", kind.name());
             let dl = w.body(b).unwrap().angular_momentum() - l;
             let moment = ((before + arm(&w)) * 0.5).cross(&force) + torque;
             // Arms turn by some 0.05 rad in the step.
