@@ -2,6 +2,7 @@
 
 mod bounce;
 mod engines;
+mod joints;
 mod programs;
 mod progress;
 mod race;
@@ -29,6 +30,12 @@ struct Arguments {
 enum Command {
     /// List the scenes and the engines.
     List,
+    /// Hold pendulums and chains against golden values.
+    Joints {
+        /// On the other engines too (needs the feature `peers`).
+        #[arg(long)]
+        peers: bool,
+    },
     /// Time a scene, and say how good the result is.
     Race {
         /// The scene, see `merev list`.
@@ -70,6 +77,12 @@ fn run(arguments: Arguments) -> Result<String, String> {
     match arguments.command {
         None => tour::run(),
         Some(Command::List) => Ok(list()),
+        Some(Command::Joints { peers }) => {
+            if peers && engines::ALL.len() == 1 {
+                return Err("no peers were built in; build with `--features peers`".into());
+            }
+            Ok(joints::run(peers))
+        }
         Some(Command::Race { scene, peers, steps, repeats, stages, out }) => {
             if peers && engines::ALL.len() == 1 {
                 return Err("no peers were built in; build with `--features peers`".into());

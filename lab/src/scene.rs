@@ -35,6 +35,26 @@ pub struct Body {
     pub density: f32,
     pub friction: f32,
     pub restitution: f32,
+    /// Whether its shape collides with anything.
+    pub collides: bool,
+    /// Mass and inertia, where they are not those of the shape.
+    pub mass: Option<Mass>,
+}
+
+/// Mass \[kg\] and principal moments of inertia \[kg m²\] about the body's origin and axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mass {
+    pub mass: f32,
+    pub inertia: [f32; 3],
+}
+
+/// A ball joint between two bodies of the scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ball {
+    /// By index.
+    pub bodies: [usize; 2],
+    /// Where, from each body's origin \[m\].
+    pub local: [[f32; 3]; 2],
 }
 
 impl Body {
@@ -48,6 +68,8 @@ impl Body {
             density: 1000.0,
             friction: 0.6,
             restitution: 0.0,
+            collides: true,
+            mass: None,
         }
     }
 
@@ -76,6 +98,7 @@ pub struct Scene {
     /// Point clouds of the hulls [m].
     pub clouds: Vec<Vec<[f32; 3]>>,
     pub bodies: Vec<Body>,
+    pub balls: Vec<Ball>,
 }
 
 impl Scene {
@@ -92,6 +115,7 @@ impl Scene {
             restitution_threshold: None,
             clouds: Vec::new(),
             bodies: Vec::new(),
+            balls: Vec::new(),
         }
     }
 

@@ -215,6 +215,7 @@ fn immovable_aux() -> Aux {
         kinematic: true,
         locked: false,
         jointed: false,
+        planned: false,
         touched: false,
         joint: [zero; 2],
         joint_middle: zero,

@@ -107,7 +107,7 @@ impl Bodies {
             // Joints warm-start by themselves, as their arms turn.
             if aux.jointed {
                 aux.warm[0] -= aux.joint[0] * row.inv_mass();
-                aux.warm[1] -= if aux.spin { aux.joint[1] } else { self.rows.inertia[i].times(aux.joint[1]) };
+                aux.warm[1] -= aux.joint[1];
                 if !aux.touched {
                     aux.warm = [Vec3::zeros(); 2];
                 }

@@ -136,9 +136,11 @@ pub struct Aux {
     pub locked: bool,
     /// Whether the body has joints.
     pub jointed: bool,
+    /// Whether they are solved at once.
+    pub planned: bool,
     /// Whether it has contacts.
     pub touched: bool,
-    /// Momentum and angular momentum that joints gave it in this sub-step.
+    /// Momentum that joints gave it in this sub-step, and Δω or, with [`Aux::spin`], ΔL; where it has contacts.
     pub joint: [Vec3; 2],
     /// Momentum of that when the bodies were moved.
     pub joint_middle: Vec3,
@@ -148,10 +150,11 @@ pub struct Aux {
 
 impl Aux {
     /// Whether the body is moved by less than its velocity, as its acceleration acts all through the sub-step: joints
-    /// reckon with that, contacts do not.
+    /// that are solved at once reckon with that. Contacts and meshes, whose impulses converge over many sub-steps, must
+    /// want the same of them in both passes.
     #[inline(always)]
     pub fn lags(&self) -> bool {
-        self.jointed && !self.touched
+        self.planned && !self.touched
     }
 }
 

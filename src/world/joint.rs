@@ -702,7 +702,10 @@ impl JointMut<'_> {
         let g = self.as_ref().geometry();
         old.emit(&g, &mut rows[0]);
         kind.emit(&g, &mut rows[1]);
-        let law = |r: &Rows| r.rows.iter().map(|r| std::mem::discriminant(&r.law)).collect::<Vec<_>>();
+        let law = |r: &Rows| {
+            let kinds = r.rows.iter().map(|r| (std::mem::discriminant(&r.law), r.law.is_unbounded()));
+            kinds.collect::<Vec<_>>()
+        };
         let same = law(&rows[0]) == law(&rows[1]);
         let joint = self.at();
         if !same {
@@ -713,7 +716,9 @@ impl JointMut<'_> {
             (joint.total, joint.total_angular) = (total, angular);
         }
         joint.kind = kind;
-        self.world.joints.version += 1;
+        if !same {
+            self.world.joints.version += 1;
+        }
         self.world.wake_joint(self.index);
         Ok(())
     }
@@ -767,6 +772,8 @@ impl JointMut<'_> {
         check::not_negative("constraint_hertz", hertz)?;
         check::not_negative("constraint_damping_ratio", damping_ratio)?;
         (self.at().hertz, self.at().damping_ratio) = (hertz, damping_ratio);
+        // A mesh solves rigid and soft joints apart.
+        self.world.joints.version += 1;
         self.world.wake_joint(self.index);
         Ok(())
     }

@@ -49,7 +49,7 @@ impl Box3d {
                     hull
                 })
                 .collect();
-            let mut bodies = Vec::new();
+            let (mut bodies, mut all) = (Vec::new(), Vec::new());
             for body in &scene.bodies {
                 let mut def = b3::b3DefaultBodyDef();
                 def.type_ = match body.kind {
@@ -66,6 +66,9 @@ impl Box3d {
                 surface.baseMaterial.friction = body.friction;
                 surface.baseMaterial.restitution = body.restitution;
                 surface.enableContactEvents = false;
+                if !body.collides {
+                    surface.filter.maskBits = 0;
+                }
                 match body.form {
                     Form::Box([x, y, z]) => {
                         let hull = b3::b3MakeBoxHull(x, y, z);
@@ -79,9 +82,28 @@ impl Box3d {
                         b3::b3CreateHullShape(id, &raw const surface, hulls[k]);
                     }
                 }
+                if let Some(mass) = body.mass {
+                    let [x, y, z] = mass.inertia;
+                    let inertia = b3::b3Matrix3 {
+                        cx: vector([x, 0.0, 0.0]),
+                        cy: vector([0.0, y, 0.0]),
+                        cz: vector([0.0, 0.0, z]),
+                    };
+                    let data = b3::b3MassData { mass: mass.mass, center: vector([0.0; 3]), inertia };
+                    b3::b3Body_SetMassData(id, data);
+                }
+                all.push(id);
                 if body.kind == Kind::Dynamic {
                     bodies.push(id);
                 }
+            }
+            for ball in &scene.balls {
+                let mut def = b3::b3DefaultSphericalJointDef();
+                def.base.bodyIdA = all[ball.bodies[0]];
+                def.base.bodyIdB = all[ball.bodies[1]];
+                def.base.localFrameA.p = vector(ball.local[0]);
+                def.base.localFrameB.p = vector(ball.local[1]);
+                b3::b3CreateSphericalJoint(world, &raw const def);
             }
             for hull in hulls {
                 b3::b3DestroyHull(hull);

@@ -2,9 +2,11 @@
 
 use super::{Engine, Motion};
 use crate::scene::{Form, Kind, Scene};
+use merev::constraint::joint::{JointKind, SphericalJoint};
 use merev::math::{Pose, Quat};
-use merev::world::{StepReport, SurfaceMaterial};
-use merev::{BodyDef, BodyId, BodyType, Float, Shape, ShapeDef, Vec3, World, WorldDef};
+use merev::shape::MassData;
+use merev::world::{Filter, JointDef, StepReport, SurfaceMaterial};
+use merev::{BodyDef, BodyId, BodyType, Float, Mat3, Shape, ShapeDef, Vec3, World, WorldDef};
 
 /// A merev world of a scene.
 pub struct Merev {
@@ -43,7 +45,7 @@ impl Merev {
             .iter()
             .map(|cloud| Shape::hull(&cloud.iter().copied().map(vector).collect::<Vec<_>>()).expect("a hull"))
             .collect();
-        let mut bodies = Vec::new();
+        let (mut bodies, mut all) = (Vec::new(), Vec::new());
         for body in &scene.bodies {
             let def = BodyDef {
                 body_type: if body.kind == Kind::Static { BodyType::Static } else { BodyType::Dynamic },
@@ -60,6 +62,11 @@ impl Merev {
                     ..SurfaceMaterial::default()
                 },
                 enable_contact_events: false,
+                filter: if body.collides {
+                    Filter::default()
+                } else {
+                    Filter { mask_bits: 0, ..Filter::default() }
+                },
                 ..ShapeDef::default()
             };
             let shape = match body.form {
@@ -71,9 +78,25 @@ impl Merev {
                 Form::Hull(k) => hulls[k].clone(),
             };
             let (id, _) = world.create_body_with_shape(&def, &surface, shape).expect("the scene's body");
+            if let Some(mass) = body.mass {
+                let data = MassData {
+                    mass: Float::from(mass.mass),
+                    center: Vec3::zeros(),
+                    inertia: Mat3::from_diagonal(&vector(mass.inertia)),
+                };
+                world.body_mut(id).expect("just made").set_mass_data(&data).expect("a body's mass");
+            }
+            all.push(id);
             if body.kind == Kind::Dynamic {
                 bodies.push(id);
             }
+        }
+        for ball in &scene.balls {
+            let kind = JointKind::Spherical(SphericalJoint::default());
+            let frame = |k: usize| Pose::new(vector(ball.local[k]), Quat::identity());
+            let def =
+                JointDef::new(kind, all[ball.bodies[0]], all[ball.bodies[1]]).frames(frame(0), frame(1));
+            world.create_joint(&def).expect("the scene's joint");
         }
         Self { world, bodies, dt: Float::from(scene.dt), sub_steps: scene.sub_steps }
     }

@@ -1,6 +1,7 @@
 //! The scenes, grouped by what they are about. To add one, write its builder in a group file and list it here.
 
 mod bounce;
+pub mod joints;
 mod piles;
 mod pyramids;
 mod stacks;
@@ -18,6 +19,12 @@ pub const ALL: &[fn() -> Scene] = &[
     piles::convex_pile,
     piles::box_pile,
     bounce::bouncing_ball,
+    joints::joint_grid,
+    joints::pendulum,
+    joints::double_pendulum,
+    joints::chain_10,
+    joints::chain_20,
+    joints::hanging_chain_1,
 ];
 
 /// Builds the scene of this name.
@@ -42,6 +49,8 @@ mod tests {
         assert_eq!(count("convex_pile"), 5120);
         assert_eq!(count("box_pile"), 4000);
         assert_eq!(count("stack_20"), 20);
+        assert_eq!(count("joint_grid"), 9900);
+        assert_eq!(find("joint_grid").unwrap().balls.len(), 19_800);
     }
 
     #[test]

@@ -190,6 +190,18 @@ pub enum Law {
     },
 }
 
+impl Law {
+    /// Whether it puts no bound on the impulse.
+    #[must_use]
+    pub fn is_unbounded(&self) -> bool {
+        match self {
+            Law::Equal => true,
+            Law::AtLeast | Law::Motor { .. } => false,
+            Law::Spring { force, .. } => force[0] == Float::NEG_INFINITY && force[1] == Float::INFINITY,
+        }
+    }
+}
+
 /// One side of a row: what of a body's velocity and angular velocity it sees, and where its impulse acts.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Side {

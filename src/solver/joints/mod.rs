@@ -14,7 +14,10 @@
 //!
 //! Impulses of a row act on both bodies at one common point, so momentum and angular momentum stay.
 
+mod ball;
+mod direct;
 mod elimination;
+mod groups;
 mod oscillator;
 mod row;
 
@@ -22,13 +25,15 @@ use crate::body::{BodyStore, NONE, SetId};
 use crate::constraint::joint::store::{coordinate, follow_turns};
 use crate::constraint::joint::{Angle, Geometry, JointKind, JointStore, Rows as Drafts};
 use crate::integrate::{Integrator, PrincipalAxes, with_integrator};
-use crate::math::scalar::double;
 use crate::math::{Float, Quat, Vec3, length, rotate};
+use crate::simd::{Four, Lane, Quad};
 use crate::solver::bodies::Bodies;
-use crate::solver::rows::Rows;
+use crate::solver::rows::{Rows, inertia_times};
 use crate::solver::{Settings, SubStep};
-use elimination::Elimination;
-use row::{Pass, SolverRow};
+use ball::{BallBlock, BallSeed};
+use direct::{Aim, Direct};
+use groups::Groups;
+use row::{PUSH_SPEED, Pass, SolverRow};
 use std::ops::Range;
 
 /// A joint of an awake island.
@@ -62,15 +67,34 @@ struct Placed {
 struct Component {
     /// Places in the list of joints.
     joints: Range<usize>,
-    /// How its unbounded rows are solved at once.
-    plan: Option<u32>,
+    /// The group it is.
+    group: usize,
+    /// Whether its unbounded rows are solved at once.
+    planned: bool,
+    /// Places in the list of colours of ball joints.
+    colors: Range<usize>,
     /// The solver rows of its bodies, in the list of members.
     members: Range<usize>,
     /// Whether its joints contradicted each other in this sub-step.
     damped: bool,
 }
 
-/// The joints of the step; nothing in it but plans outlives a step.
+/// Ball joints of one colour: blocks of one width.
+#[derive(Clone, Debug)]
+struct Color {
+    wide: bool,
+    blocks: Range<usize>,
+}
+
+/// The ball joints of the meshes, one and four at a time.
+#[derive(Debug, Default)]
+struct Balls {
+    single: Vec<BallBlock<Float>>,
+    four: Vec<BallBlock<Four>>,
+    colors: Vec<Color>,
+}
+
+/// The joints of the step; nothing in it but how groups are solved outlives a step.
 #[derive(Debug, Default)]
 pub struct Workspace {
     joints: Vec<Placed>,
@@ -78,49 +102,38 @@ pub struct Workspace {
     components: Vec<Component>,
     /// The components of each batch.
     batches: Vec<Range<usize>>,
-    /// Joints by component, as indices of the store, for the topology `version`.
-    groups: Vec<Vec<u32>>,
-    plans: Vec<Elimination>,
-    plan_of: Vec<Option<u32>>,
-    version: Option<u64>,
+    groups: Groups,
+    balls: Balls,
     /// Batch and group of the awake ones.
     order: Vec<(u32, u32)>,
     drafts: Drafts,
     /// Where a body would be after the sub-step: displacement and turn, by solver row.
-    ahead: Vec<(Vec3, Quat)>,
+    ahead: Vec<[Quad; 2]>,
     /// Solver rows of the bodies that have joints, by component.
     members: Vec<u32>,
+    /// Velocities of members before a pass.
+    before: Vec<[Vec3; 2]>,
     /// |force| · |arm| over a body's joints, by solver row: sum and greatest.
     load: Vec<[Float; 2]>,
-    factor: Vec<f64>,
-    size: Vec<f64>,
-    least: Vec<f64>,
-    unknown: Vec<f64>,
-    wanted: Vec<f64>,
-    /// What unit impulses of bounded rows make the unbounded ones of their component do.
-    responses: Vec<f64>,
-    /// What the diagonal of the factored system was raised by.
-    damping: f64,
-    /// How many rows the last step had.
-    pub row_count: usize,
-    /// How many joints.
+    direct: Direct,
+    seeds: Vec<BallSeed>,
+    /// How many joints the last step had.
     pub joint_count: usize,
 }
 
-impl Workspace {
-    /// Whether the step has any joint.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.joints.is_empty()
-    }
+/// A body that has not moved yet.
+const AT_HOME: [Quad; 2] = [[0.0; 4], [0.0, 0.0, 0.0, 1.0]];
 
+impl Workspace {
     /// Bytes held.
     #[must_use]
     pub fn byte_count(&self) -> usize {
         self.joints.capacity() * size_of::<Placed>()
             + self.rows.capacity() * size_of::<SolverRow>()
-            + (self.factor.capacity() + self.size.capacity() + self.unknown.capacity()) * 8
-            + self.ahead.capacity() * size_of::<(Vec3, Quat)>()
+            + self.balls.single.capacity() * size_of::<BallBlock<Float>>()
+            + self.balls.four.capacity() * size_of::<BallBlock<Four>>()
+            + self.ahead.capacity() * size_of::<[Quad; 2]>()
+            + self.direct.byte_count()
     }
 
     /// Finds the awake joints and the batches they belong to. Bodies are laid out.
@@ -131,16 +144,14 @@ impl Workspace {
         self.members.clear();
         self.batches.clear();
         self.order.clear();
+        self.balls.clear();
         if joints.live.is_empty() {
             return;
         }
-        if self.version != Some(joints.version) {
-            self.group(store, joints);
-            self.version = Some(joints.version);
-        }
-        for (g, group) in self.groups.iter().enumerate() {
+        self.groups.update(store, joints);
+        for (g, group) in self.groups.list.iter().enumerate() {
             // Each group lies in one island.
-            let island = group.iter().find_map(|&j| {
+            let island = group.joints.iter().chain(group.balls.iter().flatten()).find_map(|&j| {
                 let mut members = joints.joints[j as usize].members();
                 members.find_map(|b| {
                     let body = &store.bodies[b as usize];
@@ -172,88 +183,16 @@ impl Workspace {
         self.batches.push(first..self.components.len());
     }
 
-    /// After the last batch: last step's impulses.
-    pub fn end(&mut self, bodies: &Bodies, joints: &JointStore, settings: &Settings) {
-        (self.joint_count, self.row_count) = (self.joints.len(), self.rows.len());
+    /// After the last batch.
+    pub fn end(&mut self, bodies: &Bodies) {
+        let balls = self.balls.single.len() + self.balls.four.len();
+        self.joint_count = self.joints.len() + balls;
         self.ahead.clear();
-        if self.joints.is_empty() {
-            return;
-        }
-        self.ahead.resize(bodies.rows.row.len(), (Vec3::zeros(), Quat::identity()));
         self.load.clear();
-        self.load.resize(bodies.rows.row.len(), [0.0; 2]);
-        let scale = if settings.last_h > 0.0 { settings.h() / settings.last_h } else { 1.0 };
-        for placed in &self.joints {
-            let joint = &joints.joints[placed.joint as usize];
-            for (row, &impulse) in self.rows[placed.rows.clone()].iter_mut().zip(&joint.impulse) {
-                row.lambda = impulse * scale;
-            }
+        if self.joint_count > 0 {
+            self.ahead.resize(bodies.rows.row.len(), AT_HOME);
+            self.load.resize(bodies.rows.row.len(), [0.0; 2]);
         }
-    }
-
-    /// Finds what hangs together, and plans its elimination.
-    fn group(&mut self, store: &BodyStore, joints: &JointStore) {
-        use crate::world::BodyType;
-        self.groups.clear();
-        self.plans.clear();
-        self.plan_of.clear();
-        let moves = |b: u32| store.bodies[b as usize].body_type == BodyType::Dynamic;
-        let mut seen = vec![false; joints.joints.len()];
-        for &seed in &joints.live {
-            if seen[seed as usize] || !joints.joints[seed as usize].active {
-                continue;
-            }
-            seen[seed as usize] = true;
-            let (mut group, mut next) = (vec![seed], 0);
-            while next < group.len() {
-                let joint = &joints.joints[group[next] as usize];
-                next += 1;
-                for body in joint.members().filter(|&b| moves(b)) {
-                    for &other in &store.bodies[body as usize].joints {
-                        if !seen[other as usize] && joints.joints[other as usize].active {
-                            seen[other as usize] = true;
-                            group.push(other);
-                        }
-                    }
-                }
-            }
-            group.sort_unstable();
-            // Gears come last: their rows are made from those of other joints.
-            group.sort_by_key(|&j| {
-                matches!(joints.joints[j as usize].kind, JointKind::Gear(_) | JointKind::RackPinion(_))
-            });
-            let dims: Vec<usize> = group.iter().map(|&j| self.hard_rows(j, store, joints)).collect();
-            let place = |j: u32| group.iter().position(|&g| g == j).expect("of this group") as u32;
-            let mut edges = Vec::new();
-            if group.len() <= 4000 {
-                for (i, &j) in group.iter().enumerate() {
-                    for body in joints.joints[j as usize].members().filter(|&b| moves(b)) {
-                        for &other in &store.bodies[body as usize].joints {
-                            if other != j && joints.joints[other as usize].active {
-                                edges.push((i as u32, place(other)));
-                            }
-                        }
-                    }
-                }
-            }
-            let plan = if group.len() <= 4000 { Elimination::plan(&dims, &edges) } else { None };
-            self.plan_of.push(plan.map(|plan| {
-                self.plans.push(plan);
-                self.plans.len() as u32 - 1
-            }));
-            self.groups.push(group);
-        }
-    }
-
-    /// How many unbounded rows a joint has.
-    fn hard_rows(&mut self, index: u32, store: &BodyStore, joints: &JointStore) -> usize {
-        let joint = &joints.joints[index as usize];
-        if matches!(joint.kind, JointKind::Gear(_) | JointKind::RackPinion(_)) {
-            return 1;
-        }
-        self.drafts.rows.clear();
-        joint.kind.emit(&joint.geometry(store), &mut self.drafts);
-        self.drafts.rows.iter().filter(|r| row::is_unbounded(&r.law)).count()
     }
 
     fn place(
@@ -265,23 +204,26 @@ impl Workspace {
         joints: &JointStore,
         settings: &Settings,
     ) {
-        let start = self.joints.len();
-        for k in 0..self.groups[group].len() {
-            let index = self.groups[group][k];
+        let (start, first_member) = (self.joints.len(), self.members.len());
+        // Impulses are per sub-step.
+        let scale = match settings.last_h {
+            h if h > 0.0 && settings.warm_starting => settings.h() / h,
+            _ => 0.0,
+        };
+        for k in 0..self.groups.list[group].joints.len() {
+            let index = self.groups.list[group].joints[k];
             let joint = &joints.joints[index as usize];
             let body =
                 joint.bodies.map(|b| if b == NONE { 0 } else { bodies.row_for(store, b, batch, settings) });
-            for &row in body.iter().filter(|&&r| r != 0) {
-                bodies.rows.aux[row as usize].jointed = true;
-            }
+            self.members.extend(body.iter().filter(|&&b| b != 0));
             let g = joint.geometry(store);
-            let part =
-                |j: u32| start as u32 + self.groups[group].iter().position(|&o| o == j).unwrap_or(0) as u32;
+            let list = &self.groups.list[group].joints;
+            let part = |j: u32| (start + list.iter().position(|&o| o == j).unwrap_or(0)) as u32;
             let parts = match joint.kind {
                 JointKind::Gear(gear) | JointKind::RackPinion(gear) => gear.joints.map(part),
                 _ => [0; 2],
             };
-            let placed = Placed {
+            self.joints.push(Placed {
                 joint: index,
                 body,
                 rows: 0..0,
@@ -295,48 +237,64 @@ impl Workspace {
                 total: Vec3::zeros(),
                 total_angular: Vec3::zeros(),
                 push: joint.push,
-            };
-            self.joints.push(placed);
+            });
             let place = self.joints.len() - 1;
-            self.write_drafts(place, joints, |_| (Vec3::zeros(), Quat::identity()));
+            self.write_drafts(place, joints, |_| AT_HOME);
             let first = self.rows.len();
-            for draft in &self.drafts.rows {
+            for (draft, &impulse) in self.drafts.rows.iter().zip(&joint.impulse) {
                 let mut row = SolverRow::new(draft, joint, body, settings.h());
                 row.place(draft, &bodies.rows);
+                row.lambda = impulse * scale;
                 self.rows.push(row);
             }
             self.joints[place].rows = first..self.rows.len();
         }
-        let first = self.members.len();
-        for placed in &self.joints[start..] {
-            self.members.extend(placed.body.iter().filter(|&&b| b != 0));
+        let first_color = self.balls.colors.len();
+        for color in 0..self.groups.list[group].balls.len() {
+            self.seeds.clear();
+            for &index in &self.groups.list[group].balls[color] {
+                let joint = &joints.joints[index as usize];
+                let g = joint.geometry(store);
+                let pair = [joint.bodies[0], joint.bodies[1]];
+                let pair = pair.map(|b| bodies.row_for(store, b, batch, settings));
+                self.members.extend(pair.iter().filter(|&&b| b != 0));
+                let [x, y, z, ..] = joint.impulse.map(|p| p * scale);
+                self.seeds.push(BallSeed {
+                    source: index,
+                    bodies: pair,
+                    arm: g.arm,
+                    offset: g.d - (g.arm[1] - g.arm[0]),
+                    lambda: Vec3::new(x, y, z),
+                });
+            }
+            self.balls.push(&self.seeds, settings.wide, &bodies.rows);
         }
-        self.members[first..].sort_unstable();
-        let mut last = 0;
-        let mut kept = first;
-        for k in first..self.members.len() {
-            if self.members[k] != last {
-                last = self.members[k];
-                self.members[kept] = last;
+        let own = &mut self.members[first_member..];
+        own.sort_unstable();
+        let mut kept = 0;
+        for k in 0..own.len() {
+            if kept == 0 || own[k] != own[kept - 1] {
+                own[kept] = own[k];
                 kept += 1;
             }
         }
-        self.members.truncate(kept);
+        self.members.truncate(first_member + kept);
+        for &m in &self.members[first_member..] {
+            let aux = &mut bodies.rows.aux[m as usize];
+            (aux.jointed, aux.planned) = (true, self.groups.list[group].plan.is_some());
+        }
         self.components.push(Component {
             joints: start..self.joints.len(),
-            plan: self.plan_of[group],
-            members: first..kept,
+            group,
+            planned: self.groups.list[group].plan.is_some(),
+            colors: first_color..self.balls.colors.len(),
+            members: first_member..first_member + kept,
             damped: false,
         });
     }
 
     /// Writes the rows of a joint down, with its bodies moved and turned since the step began by what `moves` says.
-    fn write_drafts(
-        &mut self,
-        place: usize,
-        joints: &JointStore,
-        moves: impl Fn(u32) -> (Vec3, Quat) + Copy,
-    ) {
+    fn write_drafts(&mut self, place: usize, joints: &JointStore, moves: impl Fn(u32) -> [Quad; 2] + Copy) {
         self.drafts.rows.clear();
         let placed = &self.joints[place];
         let joint = &joints.joints[placed.joint as usize];
@@ -360,23 +318,25 @@ impl Workspace {
     /// Before forces act: springs note how fast they move.
     pub fn begin_sub_step(&mut self, batch: usize, bodies: &mut Bodies, settings: &Settings) {
         for c in self.batches[batch].clone() {
-            self.bear_loads(c, bodies, settings.h(), 1.0);
-            let planned = self.components[c].plan.is_some();
-            let own = &self.joints[self.components[c].joints.clone()];
-            let troubled = self.components[c].damped || own.iter().any(|placed| placed.push < 1.0);
+            let component = self.components[c].clone();
+            if component.planned {
+                self.bear_loads(c, bodies, settings.h(), 1.0);
+            }
+            let own = &self.joints[component.joints.clone()];
+            let troubled = component.damped || own.iter().any(|placed| placed.push < 1.0);
             self.components[c].damped = false;
-            for placed in &self.joints[self.components[c].joints.clone()] {
-                for row in &mut self.rows[placed.rows.clone()] {
-                    row.note_start(&bodies.rows);
-                    // What is solved at once needs no memory; where joints contradict each other it does harm.
-                    let remembers =
-                        if planned { !row.unbounded && (!troubled || !row.is_condensed()) } else { true };
-                    if !settings.warm_starting || !remembers {
-                        row.lambda = 0.0;
-                    }
+            for row in &mut self.rows[rows_of(own)] {
+                row.note_start(&bodies.rows);
+                // What is solved at once needs no memory; where joints contradict each other it does harm.
+                let forgets = component.planned && (row.unbounded || troubled && row.is_condensed());
+                if forgets || !settings.warm_starting {
+                    row.lambda = 0.0;
                 }
             }
-            for &m in &self.members[self.components[c].members.clone()] {
+            if !settings.warm_starting {
+                self.balls.each(component.colors, &mut bodies.rows, Forget);
+            }
+            for &m in &self.members[component.members] {
                 let aux = &mut bodies.rows.aux[m as usize];
                 aux.joint = [Vec3::zeros(); 2];
                 aux.joint_middle = Vec3::zeros();
@@ -417,11 +377,12 @@ impl Workspace {
     /// Applies the impulses of the last sub-step again.
     pub fn warm_start(&mut self, batch: usize, rows: &mut Rows) {
         for c in self.batches[batch].clone() {
-            for place in self.components[c].joints.clone() {
-                for row in &self.rows[self.joints[place].rows.clone()] {
-                    row.apply(row.lambda, rows);
-                }
+            self.note_velocities(c, rows);
+            for row in &self.rows[rows_of(&self.joints[self.components[c].joints.clone()])] {
+                row.apply(row.lambda, rows);
             }
+            self.balls.each(self.components[c].colors.clone(), rows, WarmStart);
+            self.note_momenta(c, rows);
         }
     }
 
@@ -429,21 +390,20 @@ impl Workspace {
     pub fn solve(&mut self, batch: usize, bodies: &mut Bodies, joints: &JointStore, sub: &SubStep) {
         let lag = with_integrator!(sub.integrator, I => I::LAG * sub.h);
         for c in self.batches[batch].clone() {
+            self.note_velocities(c, &bodies.rows);
+            let Component { joints: places, planned, colors, .. } = self.components[c].clone();
             // With a plan the velocities are brought in order first, at the price of one more back-substitution: what
             // lies ahead is then nearly right, on light bodies, too.
-            let planned = self.components[c].plan.is_some();
             if planned {
-                for place in self.components[c].joints.clone() {
-                    for row in &mut self.rows[self.joints[place].rows.clone()] {
-                        row.want(Pass::Guess, &bodies.rows, sub, lag);
-                    }
+                for row in &mut self.rows[rows_of(&self.joints[places.clone()])] {
+                    row.want(Pass::Guess, &bodies.rows, sub, lag);
                 }
                 self.impulses(c, &mut bodies.rows, true, Aim::Push);
             }
             // A load that comes at once, such as the first one, is borne at once.
             let heavier = planned && self.bear_loads(c, bodies, sub.h, 4.0);
             with_integrator!(sub.integrator, I => self.look_ahead::<I>(c, bodies, sub.h));
-            for place in self.components[c].joints.clone() {
+            for place in places {
                 let ahead = std::mem::take(&mut self.ahead);
                 self.write_drafts(place, joints, |row| ahead[row as usize]);
                 self.ahead = ahead;
@@ -452,56 +412,66 @@ impl Workspace {
                     row.want(Pass::Solve { predicted: draft.c }, &bodies.rows, sub, lag);
                 }
             }
+            self.balls.each(colors.clone(), &mut bodies.rows, LookAhead { ahead: &self.ahead, sub });
             self.impulses(c, &mut bodies.rows, heavier || !planned, Aim::Bend);
+            self.balls.each(colors, &mut bodies.rows, Solve);
+            self.note_momenta(c, &mut bodies.rows);
         }
     }
 
     /// The relax pass, after bodies were moved.
     pub fn relax(&mut self, batch: usize, bodies: &mut Bodies, joints: &JointStore, sub: &SubStep) {
         for c in self.batches[batch].clone() {
-            for place in self.components[c].joints.clone() {
-                let moved = |row: u32| {
-                    let row = &bodies.rows.row[row as usize];
-                    (row.dx(), row.dq())
-                };
-                let placed = &mut self.joints[place];
-                let (mut error, mut asked) = (0.0, 0.0);
-                for row in &mut self.rows[placed.rows.clone()] {
-                    row.add_before_move(&mut placed.total, &mut placed.total_angular, placed.arm_b);
-                    let (e, a) = row.error(sub);
-                    error += e;
-                    asked += a;
-                }
-                let geometry = placed.geometry(moved);
-                placed.arm_b = geometry.arm[1];
-                let joint = &joints.joints[placed.joint as usize];
-                follow_turns(&joint.kind, &geometry, &mut placed.turns);
-                self.write_drafts(place, joints, moved);
-                let placed = &mut self.joints[place];
-                let mut left = 0.0;
-                for (row, draft) in self.rows[placed.rows.clone()].iter_mut().zip(&self.drafts.rows) {
-                    row.place(draft, &bodies.rows);
-                    row.want(Pass::Relax, &bodies.rows, sub, 0.0);
-                    left += row.error(sub).0;
-                }
-                // Velocities can always be brought in order, places not: joints that contradict each other would be
-                // pushed for ever. Where an error does not go, the push does.
-                placed.push = if asked > STUBBORN && error - left < 0.3 * asked {
-                    0.5 * placed.push
-                } else {
-                    (1.5 * placed.push).min(1.0)
-                };
-                for row in &mut self.rows[placed.rows.clone()] {
-                    row.share = placed.push;
-                }
+            self.note_velocities(c, &bodies.rows);
+            let Component { joints: places, colors, .. } = self.components[c].clone();
+            for place in places.clone() {
+                self.begin_relax(place, bodies, joints, sub);
             }
+            self.balls.each(colors.clone(), &mut bodies.rows, BeginRelax);
             self.impulses(c, &mut bodies.rows, true, Aim::Rest);
-            for place in self.components[c].joints.clone() {
-                let placed = &mut self.joints[place];
+            self.balls.each(colors.clone(), &mut bodies.rows, Solve);
+            self.balls.each(colors, &mut bodies.rows, End);
+            for placed in &mut self.joints[places] {
                 for row in &self.rows[placed.rows.clone()] {
                     row.add_after_move(&mut placed.total, &mut placed.total_angular, placed.arm_b);
                 }
             }
+            self.note_momenta(c, &mut bodies.rows);
+        }
+    }
+
+    /// Rows of a joint at the new places, and whether pushing its error out has helped.
+    fn begin_relax(&mut self, place: usize, bodies: &Bodies, joints: &JointStore, sub: &SubStep) {
+        let moved = |row: u32| [bodies.rows.row[row as usize].0[2], bodies.rows.row[row as usize].0[3]];
+        let placed = &mut self.joints[place];
+        let (mut error, mut asked) = (0.0, 0.0);
+        for row in &mut self.rows[placed.rows.clone()] {
+            row.add_before_move(&mut placed.total, &mut placed.total_angular, placed.arm_b);
+            let (e, a) = row.error(sub);
+            error += e;
+            asked += a;
+        }
+        let geometry = placed.geometry(moved);
+        placed.arm_b = geometry.arm[1];
+        let joint = &joints.joints[placed.joint as usize];
+        follow_turns(&joint.kind, &geometry, &mut placed.turns);
+        self.write_drafts(place, joints, moved);
+        let placed = &mut self.joints[place];
+        let mut left = 0.0;
+        for (row, draft) in self.rows[placed.rows.clone()].iter_mut().zip(&self.drafts.rows) {
+            row.place(draft, &bodies.rows);
+            row.want(Pass::Relax, &bodies.rows, sub, 0.0);
+            left += row.error(sub).0;
+        }
+        // Velocities can always be brought in order, places not: joints that contradict each other would be pushed for
+        // ever. Where an error does not go, the push does.
+        placed.push = if asked > STUBBORN && error - left < 0.3 * asked {
+            0.5 * placed.push
+        } else {
+            (1.5 * placed.push).min(1.0)
+        };
+        for row in &mut self.rows[placed.rows.clone()] {
+            row.share = placed.push;
         }
     }
 
@@ -513,7 +483,7 @@ impl Workspace {
             let dx = row.dx() + (row.v() - aux.accel * lag) * h;
             let inertia = &bodies.rows.inertia[m as usize];
             let dq = if aux.spin {
-                let change = crate::solver::rows::inertia_times(aux, row.w() - aux.before[1]);
+                let change = inertia_times(aux, row.w() - aux.before[1]);
                 let axes = PrincipalAxes { moments: aux.moments, body_from_principal: Quat::identity() };
                 let q = I::turn(&aux.q[0], aux.l + change - aux.torque * lag, &axes, h);
                 q * aux.q[1].conjugate()
@@ -525,171 +495,57 @@ impl Workspace {
                 };
                 I::turn_by(&row.dq(), mean * h)
             };
-            self.ahead[m as usize] = (dx, dq);
+            self.ahead[m as usize] = [[dx.x, dx.y, dx.z, 0.0], [dq.i, dq.j, dq.k, dq.w]];
         }
     }
 
-    /// The impulses of a pass over a component; without `factor` its system is that of the last call.
+    /// The impulses of a pass over a component, ball joints aside; without `factor` its system is that of the last call.
     fn impulses(&mut self, component: usize, rows: &mut Rows, factor: bool, aim: Aim) {
-        let Component { joints, plan, members, .. } = self.components[component].clone();
-        let Some(plan) = plan else {
-            for place in joints {
-                let range = self.joints[place].rows.clone();
-                for row in self.rows[range.clone()].iter_mut().filter(|r| !r.unbounded) {
-                    row.solve(rows);
-                }
-                row::solve_block(&mut self.rows[range], rows);
-            }
-            return;
-        };
-        let range = self.joints[joints.start].rows.start..self.joints[joints.end - 1].rows.end;
-        if factor {
-            self.responses.clear();
-            self.rows[range.clone()].iter_mut().for_each(SolverRow::forget_response);
-        }
-        self.solve_at_once(plan, joints.clone(), members.clone(), rows, factor, aim);
-        let energy = energy_within_reach(&self.members[members.clone()], rows, Aim::Push);
-        for _ in 0..ROUNDS {
-            let (mut moved, mut disturbed) = (false, false);
-            for k in range.clone() {
-                if self.rows[k].unbounded || !self.rows[k].wants_change(rows) {
-                    continue;
-                }
-                if self.rows[k].is_condensed() {
-                    moved |= self.solve_condensed(k, plan, joints.clone(), rows, energy);
-                } else {
-                    disturbed |= self.rows[k].solve(rows);
-                }
-            }
-            if disturbed {
-                self.solve_at_once(plan, joints.clone(), members.clone(), rows, false, aim);
-            }
-            if !moved && !disturbed {
-                break;
-            }
-        }
-        self.components[component].damped |= self.damping > 0.0;
-    }
-
-    /// Solves a bounded row together with what its impulse makes the unbounded rows of its component do: these stay
-    /// solved. Says whether its impulse changed by more than a little.
-    fn solve_condensed(
-        &mut self,
-        k: usize,
-        plan: u32,
-        joints: Range<usize>,
-        rows: &mut Rows,
-        energy: f64,
-    ) -> bool {
-        let n = self.plans[plan as usize].unknowns();
-        if self.rows[k].response.is_none() {
-            let plan = &self.plans[plan as usize];
-            let list = &self.joints[joints.clone()];
-            let row = &self.rows[k];
-            let start = self.responses.len();
-            let mut y = std::mem::take(&mut self.unknown);
-            y.clear();
-            y.extend(self.hard_order(plan, list).map(|hard| -hard.coupling(row, rows)));
-            let mut coupling = std::mem::take(&mut self.wanted);
-            coupling.clear();
-            coupling.extend_from_slice(&y);
-            plan.solve(&self.factor, &mut y);
-            let with: f64 = y.iter().zip(&coupling).map(|(a, b)| a * b).sum();
-            self.responses.extend_from_slice(&y);
-            (self.unknown, self.wanted) = (y, coupling);
-            let mobility = self.rows[k].coupling(&self.rows[k], rows) - with;
-            self.rows[k].set_response(start, mobility);
-        }
-        let start = self.rows[k].response.expect("set above");
-        let change = self.rows[k].change(rows, energy);
-        if change == 0.0 {
-            return false;
-        }
-        self.rows[k].lambda += change;
-        self.rows[k].apply(change, rows);
-        let plan = &self.plans[plan as usize];
-        let mut y = self.responses[start..start + n].iter();
-        for &node in &plan.order {
-            let placed = &self.joints[joints.start + node as usize];
-            for row in self.rows[placed.rows.clone()].iter_mut().filter(|r| r.unbounded) {
-                let also = crate::math::scalar::single(y.next().expect("one for each") * double(change));
-                row.lambda += also;
-                row.apply(also, rows);
-            }
-        }
-        change.abs() > 1e-4 * self.rows[k].lambda.abs()
-    }
-
-    /// The unbounded rows of a component, in the order of its plan.
-    fn hard_order<'a>(
-        &'a self,
-        plan: &'a Elimination,
-        list: &'a [Placed],
-    ) -> impl Iterator<Item = &'a SolverRow> {
-        plan.order
-            .iter()
-            .flat_map(|&node| self.rows[list[node as usize].rows.clone()].iter().filter(|r| r.unbounded))
-    }
-
-    /// Solves the unbounded rows of a component at once.
-    fn solve_at_once(
-        &mut self,
-        plan: u32,
-        joints: Range<usize>,
-        members: Range<usize>,
-        rows: &mut Rows,
-        factor: bool,
-        aim: Aim,
-    ) {
-        let plan = &self.plans[plan as usize];
+        let Component { joints, group, members, .. } = self.components[component].clone();
         let list = &self.joints[joints];
-        self.wanted.clear();
-        for &node in &plan.order {
-            let own = self.rows[list[node as usize].rows.clone()].iter().filter(|r| r.unbounded);
-            self.wanted.extend(own.map(|row| row.right_side(rows)));
+        if let Some(plan) = &self.groups.list[group].plan {
+            let mut system = direct::System {
+                plan,
+                list,
+                solver_rows: &mut self.rows,
+                members: &self.members[members],
+                rows,
+                work: &mut self.direct,
+            };
+            self.components[component].damped |= system.impulses(factor, aim);
+            return;
         }
-        if factor {
-            self.damping = 0.0;
+        for placed in list {
+            for row in self.rows[placed.rows.clone()].iter_mut().filter(|r| !r.unbounded) {
+                row.solve(rows);
+            }
+            row::solve_block(&mut self.rows[placed.rows.clone()], rows);
         }
-        let mut energy = energy_within_reach(&self.members[members], rows, aim);
-        for (row, wanted) in self.hard_order(plan, list).zip(&self.wanted) {
-            energy += row.spring_energy(*wanted);
+    }
+
+    /// Notes the velocities of members that have contacts, to tell afterwards what joints did.
+    fn note_velocities(&mut self, component: usize, rows: &Rows) {
+        self.before.clear();
+        for &m in &self.members[self.components[component].members.clone()] {
+            if rows.aux[m as usize].touched {
+                let row = &rows.row[m as usize];
+                self.before.push([row.v(), row.w()]);
+            }
         }
-        loop {
-            if factor || self.damping > 0.0 {
-                self.factor.clear();
-                self.factor.resize(plan.values(), 0.0);
-                self.size.clear();
-                self.size.resize(plan.unknowns(), 0.0);
-                self.least.clear();
-                self.least.resize(plan.unknowns(), 0.0);
-                let [w, size, least] = [&mut self.factor, &mut self.size, &mut self.least];
-                assemble(plan, list, &self.rows, rows, self.damping, w, size, least);
-                plan.factor(&mut self.factor, &self.size, &self.least);
+    }
+
+    /// Adds what joints have changed since then to what they gave each body.
+    fn note_momenta(&mut self, component: usize, rows: &mut Rows) {
+        let mut before = self.before.iter();
+        for &m in &self.members[self.components[component].members.clone()] {
+            let (row, aux) = (&rows.row[m as usize], &mut rows.aux[m as usize]);
+            if !aux.touched {
+                continue;
             }
-            self.unknown.clear();
-            self.unknown.extend_from_slice(&self.wanted);
-            plan.solve(&self.factor, &mut self.unknown);
-            // Joints that contradict each other make a system next to singular, whose answer would tear them apart:
-            // what hard rows do to velocities takes no more energy than there is.
-            let work: f64 = self.wanted.iter().zip(&self.unknown).map(|(a, b)| a * b).sum();
-            if work <= energy {
-                break;
-            }
-            if self.damping >= 1.0 {
-                self.unknown.iter_mut().for_each(|x| *x *= energy / work);
-                break;
-            }
-            self.damping = if self.damping == 0.0 { 1e-4 } else { self.damping * 100.0 };
-        }
-        for (position, &node) in plan.order.iter().enumerate() {
-            let placed = &list[node as usize];
-            let own = self.rows[placed.rows.clone()].iter_mut().filter(|r| r.unbounded);
-            for (row, &change) in own.zip(&self.unknown[plan.start(position)..]) {
-                let change = crate::math::scalar::single(change);
-                row.lambda += change;
-                row.apply(change, rows);
-            }
+            let &[v, w] = before.next().expect("one for each");
+            aux.joint[0] += (row.v() - v) * aux.mass;
+            let turn = row.w() - w;
+            aux.joint[1] += if aux.spin { inertia_times(aux, turn) } else { turn };
         }
     }
 
@@ -705,14 +561,29 @@ impl Workspace {
             (joint.total, joint.total_angular) = (placed.total, placed.total_angular);
             joint.total_dt = dt;
         }
+        self.balls.store(joints, dt);
     }
 }
 
+/// The rows of joints that follow each other.
+fn rows_of(list: &[Placed]) -> Range<usize> {
+    match list {
+        [] => 0..0,
+        [first, ..] => first.rows.start..list[list.len() - 1].rows.end,
+    }
+}
+
+/// Errors that a sub-step is to lessen by less than this \[m, rad\] are what is left of rounding and of motion.
+const STUBBORN: Float = 1e-4;
+
 impl Placed {
     /// Where the frames are when the bodies have moved and turned since the step began by what `moves` says.
-    fn geometry(&self, moves: impl Fn(u32) -> (Vec3, Quat)) -> Geometry {
-        let (xa, ta) = moves(self.body[0]);
-        let (xb, tb) = moves(self.body[1]);
+    fn geometry(&self, moves: impl Fn(u32) -> [Quad; 2]) -> Geometry {
+        let read = |row: u32| {
+            let [[x, y, z, _], [i, j, k, w]] = moves(row);
+            (Vec3::new(x, y, z), Quat::new_unchecked(nalgebra::Quaternion::new(w, i, j, k)))
+        };
+        let ((xa, ta), (xb, tb)) = (read(self.body[0]), read(self.body[1]));
         let arm = [rotate(&ta, self.arm[0]), rotate(&tb, self.arm[1])];
         Geometry {
             arm,
@@ -724,77 +595,96 @@ impl Placed {
     }
 }
 
-/// How often bounded and unbounded rows of a component are solved in turn, at most: until the bounded ones stay.
-const ROUNDS: usize = 4;
-
-/// Errors that a sub-step is to lessen by less than this \[m, rad\] are what is left of rounding and of motion.
-const STUBBORN: Float = 1e-4;
-
-/// What hard rows are solved for.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Aim {
-    /// To push errors out.
-    Push,
-    /// To bend the way of bodies to their circles.
-    Bend,
-    /// To take velocities away.
-    Rest,
+/// What is done to every block of ball joints.
+trait OnBall {
+    fn run<L: Lane>(&self, block: &mut BallBlock<L>, rows: &mut Rows);
 }
 
-/// How much |Δv|² (by mass) hard rows may do to some bodies: to take velocities away it is at most |v|², to bend a way
-/// by a quarter of a radian a sub-step less; pushing adds what its speed makes of the masses.
-fn energy_within_reach(members: &[u32], rows: &Rows, aim: Aim) -> f64 {
-    let (share, push) = match aim {
-        Aim::Push => (2.0, 2.0),
-        Aim::Bend => (0.5, 1e-6),
-        Aim::Rest => (1.1, 1e-6),
-    };
-    members.iter().fold(0.0, |sum, &m| {
-        let (row, aux) = (&rows.row[m as usize], &rows.aux[m as usize]);
-        if row.inv_mass() == 0.0 {
-            return sum;
-        }
-        let (v, w) = (row.v(), row.w());
-        let fast = push * row::PUSH_SPEED * row::PUSH_SPEED + share * v.dot(&v);
-        let turning = share * w.dot(&w) + push * row::PUSH_SPEED_ANGULAR * row::PUSH_SPEED_ANGULAR;
-        sum + double(fast / row.inv_mass()) + double(turning * aux.moments.max())
-    })
+struct Forget;
+struct WarmStart;
+struct LookAhead<'a> {
+    ahead: &'a [[Quad; 2]],
+    sub: &'a SubStep,
+}
+struct Solve;
+struct BeginRelax;
+struct End;
+
+impl OnBall for Forget {
+    fn run<L: Lane>(&self, block: &mut BallBlock<L>, _: &mut Rows) {
+        block.lambda = crate::simd::V3::zero();
+    }
+}
+impl OnBall for WarmStart {
+    fn run<L: Lane>(&self, block: &mut BallBlock<L>, rows: &mut Rows) {
+        block.warm_start(rows);
+    }
+}
+impl OnBall for LookAhead<'_> {
+    fn run<L: Lane>(&self, block: &mut BallBlock<L>, rows: &mut Rows) {
+        block.look_ahead(rows, self.ahead, PUSH_SPEED, self.sub);
+    }
+}
+impl OnBall for Solve {
+    fn run<L: Lane>(&self, block: &mut BallBlock<L>, rows: &mut Rows) {
+        block.solve(rows);
+    }
+}
+impl OnBall for BeginRelax {
+    fn run<L: Lane>(&self, block: &mut BallBlock<L>, rows: &mut Rows) {
+        block.begin_relax(rows);
+    }
+}
+impl OnBall for End {
+    fn run<L: Lane>(&self, block: &mut BallBlock<L>, _: &mut Rows) {
+        block.end();
+    }
 }
 
-/// Fills W of a component, its diagonal, and the least part of that by one body.
-#[allow(clippy::too_many_arguments)]
-fn assemble(
-    plan: &Elimination,
-    list: &[Placed],
-    solver_rows: &[SolverRow],
-    rows: &Rows,
-    damping: f64,
-    w: &mut [f64],
-    size: &mut [f64],
-    least: &mut [f64],
-) {
-    for (position, &node) in plan.order.iter().enumerate() {
-        let placed = &list[node as usize];
-        let own = || solver_rows[placed.rows.clone()].iter().filter(|r| r.unbounded);
-        let d = own().count();
-        let (at, start) = (plan.diagonal(position), plan.start(position));
-        for (r, row) in own().enumerate() {
-            for (c, other) in own().enumerate().take(r + 1) {
-                w[at + r * d + c] = row.coupling(other, rows);
+impl Balls {
+    fn clear(&mut self) {
+        self.single.clear();
+        self.four.clear();
+        self.colors.clear();
+    }
+
+    /// Appends the joints of one colour.
+    fn push(&mut self, seeds: &[BallSeed], wide: bool, rows: &Rows) {
+        let blocks = if wide {
+            let start = self.four.len();
+            self.four.extend(seeds.chunks(Four::N).map(|s| BallBlock::new(s, rows)));
+            start..self.four.len()
+        } else {
+            let start = self.single.len();
+            self.single.extend(seeds.chunks(1).map(|s| BallBlock::new(s, rows)));
+            start..self.single.len()
+        };
+        self.colors.push(Color { wide, blocks });
+    }
+
+    fn each(&mut self, colors: Range<usize>, rows: &mut Rows, act: impl OnBall) {
+        for color in &self.colors[colors] {
+            if color.wide {
+                self.four[color.blocks.clone()].iter_mut().for_each(|block| act.run(block, rows));
+            } else {
+                self.single[color.blocks.clone()].iter_mut().for_each(|block| act.run(block, rows));
             }
-            w[at + r * d + r] = w[at + r * d + r] * (1.0 + damping) + row.compliance();
-            size[start + r] = w[at + r * d + r];
-            least[start + r] = row.least_share(rows) + row.compliance();
         }
     }
-    for (k, l, at) in plan.blocks() {
-        let (a, b) = (&list[plan.order[k] as usize], &list[plan.order[l] as usize]);
-        let own = |p: &Placed| solver_rows[p.rows.clone()].iter().filter(|r| r.unbounded);
-        let d = own(b).count();
-        for (r, row) in own(a).enumerate() {
-            for (c, other) in own(b).enumerate() {
-                w[at + r * d + c] = row.coupling(other, rows);
+
+    fn store(&self, joints: &mut JointStore, dt: Float) {
+        fn store<L: Lane>(block: &BallBlock<L>, joints: &mut JointStore, dt: Float) {
+            for (lane, &source) in block.source.as_ref().iter().enumerate() {
+                if source != NONE {
+                    let joint = &mut joints.joints[source as usize];
+                    let lambda = block.lambda.get(lane);
+                    joint.impulse[..3].copy_from_slice(lambda.as_slice());
+                    (joint.total, joint.total_angular) = (block.total.get(lane), Vec3::zeros());
+                    joint.total_dt = dt;
+                }
             }
         }
+        self.four.iter().for_each(|block| store(block, joints, dt));
+        self.single.iter().for_each(|block| store(block, joints, dt));
     }
 }

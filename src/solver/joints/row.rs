@@ -66,16 +66,6 @@ pub struct SolverRow {
     scale: Float,
 }
 
-/// Whether a law puts no bound on the impulse.
-#[must_use]
-pub fn is_unbounded(law: &Law) -> bool {
-    match law {
-        Law::Equal => true,
-        Law::AtLeast | Law::Motor { .. } => false,
-        Law::Spring { force, .. } => force[0] == Float::NEG_INFINITY && force[1] == Float::INFINITY,
-    }
-}
-
 impl SolverRow {
     /// A row without impulse; `h` is the sub-step \[s\].
     pub fn new(draft: &JointRow, joint: &Joint, bodies: [u32; 4], h: Float) -> Self {
@@ -100,7 +90,7 @@ impl SolverRow {
             turn: [Vec3::zeros(); 2],
             more: draft.more,
             law,
-            unbounded: is_unbounded(&law),
+            unbounded: law.is_unbounded(),
             angular: draft.angular,
             share: joint.push,
             c: draft.c,
@@ -211,29 +201,19 @@ impl SolverRow {
     pub fn apply(&self, change: Float, rows: &mut Rows) {
         for k in 0..2 {
             let b = self.bodies[k] as usize;
-            if b == 0 {
-                continue;
+            if b != 0 {
+                let row = &mut rows.row[b];
+                row.set_v(row.v() + self.sides[k].linear * (change * row.inv_mass()));
+                row.set_w(row.w() + self.turn[k] * change);
             }
-            let row = &mut rows.row[b];
-            let p = self.sides[k].linear * change;
-            row.set_v(row.v() + p * row.inv_mass());
-            row.set_w(row.w() + self.turn[k] * change);
-            let aux = &mut rows.aux[b];
-            aux.joint[0] += p;
-            aux.joint[1] += self.sides[k].angular * change;
         }
         for (side, &b) in self.more.iter().flatten().zip(&self.bodies[2..]) {
             let b = b as usize;
-            if b == 0 {
-                continue;
+            if b != 0 {
+                let row = &mut rows.row[b];
+                row.set_v(row.v() + side.linear * (change * row.inv_mass()));
+                row.set_w(row.w() + rows.inertia[b].times(side.angular * change));
             }
-            let row = &mut rows.row[b];
-            let (p, l) = (side.linear * change, side.angular * change);
-            row.set_v(row.v() + p * row.inv_mass());
-            row.set_w(row.w() + rows.inertia[b].times(l));
-            let aux = &mut rows.aux[b];
-            aux.joint[0] += p;
-            aux.joint[1] += l;
         }
     }
 
@@ -250,11 +230,6 @@ impl SolverRow {
     pub fn wants_change(&self, rows: &Rows) -> bool {
         let free = self.mass * (self.aim - self.scale * self.speed(rows));
         self.lambda != 0.0 || free.max(self.least).min(self.most) != 0.0
-    }
-
-    /// Nothing is known of what the others do.
-    pub fn forget_response(&mut self) {
-        self.response = None;
     }
 
     /// What the others do stands there, and leaves the row this mobility.

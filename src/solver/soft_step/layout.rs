@@ -89,7 +89,7 @@ impl Workspace {
         self.measure_loads(rows, bodies, contacts, islands, settings);
         joint_rows.begin(rows, bodies, joints);
         self.fill_blocks(rows, joint_rows, bodies, contacts, joints, islands, settings);
-        joint_rows.end(rows, joints, settings);
+        joint_rows.end(rows);
     }
 
     /// The load ratio of each island (how much more a body carries than it weighs) and who is held by contacts.
