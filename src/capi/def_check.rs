@@ -61,7 +61,6 @@ impl mvWorldDef {
     pub(super) fn checked(&self) -> Result<WorldDef> {
         check_cookie("World", self.internal_value, WORLD_COOKIE)?;
         only_auto("integrator", self.integrator)?;
-        only_auto("manifold", self.manifold)?;
         let def = WorldDef {
             gravity: self.gravity.raw(),
             restitution_threshold: self.restitution_threshold,
@@ -78,6 +77,8 @@ impl mvWorldDef {
             solver: super::kind::solver(self.solver)?,
             broad_phase: super::kind::broad_phase(self.broad_phase)?,
             narrow_phase: super::kind::narrow_phase(self.narrow_phase)?,
+            gjk: super::kind::gjk(self.gjk)?,
+            manifold: super::kind::manifold(self.manifold)?,
             user_data: to_word(self.user_data),
             ..WorldDef::default()
         };

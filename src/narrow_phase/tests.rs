@@ -14,9 +14,9 @@ const KINDS: [NarrowPhaseKind; 2] = [NarrowPhaseKind::Specialised, NarrowPhaseKi
 /// Room for rounding in shapes of size about 1, and for the progress that GJK leaves in double.
 const TIGHT: Float = 40.0 * EPSILON + 1e-12;
 
-fn run(a: &Shape, b: &Shape, pose: &Pose, margin: Float, kind: NarrowPhaseKind) -> Manifold {
+fn run(a: &Shape, b: &Shape, pose: &Pose, margin: Float, methods: impl Into<Methods>) -> Manifold {
     let mut m = Manifold::default();
-    collide(a, b, pose, margin, kind, &mut Cache::default(), &mut m);
+    collide(a, b, pose, margin, methods.into(), &mut Cache::default(), &mut m);
     m
 }
 
@@ -192,7 +192,7 @@ fn a_cache_changes_nothing() {
         let mut pose = *pose;
         for _ in 0..5 {
             pose.p += random.vec(0.02);
-            collide(a, b, &pose, 0.01, NarrowPhaseKind::Auto, &mut cache, &mut out);
+            collide(a, b, &pose, 0.01, Methods::default(), &mut cache, &mut out);
             let fresh = run(a, b, &pose, 0.01, NarrowPhaseKind::Auto);
             assert_eq!((out.count, out.points()), (fresh.count, fresh.points()));
         }

@@ -2,6 +2,7 @@
 
 use crate::error::{Error, ErrorCode, Result, check, expect};
 use crate::math::{Float, Vec3, vec3};
+use crate::narrow_phase::{GjkKind, ManifoldKind, NarrowPhaseKind};
 use crate::world::{Identity, SurfaceMaterial, World, WorldDef};
 
 /// What a world can be made from: a [`WorldConfig`], or a reference to a [`WorldDef`].
@@ -26,6 +27,9 @@ impl WorldPlan for WorldConfig {
             gravity: self.gravity,
             restitution_threshold: 0.0,
             enable_sleep: false,
+            narrow_phase: self.narrow_phase,
+            gjk: self.gjk,
+            manifold: self.manifold,
             ..WorldDef::default()
         };
         let mut world = def.carry_out()?;
@@ -59,6 +63,12 @@ pub struct WorldConfig {
     pub bounciness: Float,
     /// Coefficient of friction of all shapes, ≥ 0; default 0.6.
     pub friction: Float,
+    /// The narrow phase; default auto.
+    pub narrow_phase: NarrowPhaseKind,
+    /// How GJK looks at simplices; default auto.
+    pub gjk: GjkKind,
+    /// How contact points are found where faces meet; default auto.
+    pub manifold: ManifoldKind,
 }
 
 impl Default for WorldConfig {
@@ -70,6 +80,9 @@ impl Default for WorldConfig {
             sb_separation_force: 1.0,
             bounciness: 0.0,
             friction: 0.6,
+            narrow_phase: NarrowPhaseKind::Auto,
+            gjk: GjkKind::Auto,
+            manifold: ManifoldKind::Auto,
         }
     }
 }
@@ -288,6 +301,25 @@ impl WorldBuilder {
         Self::checked(WorldConfig { friction, ..self.config })
     }
 
+    /// The narrow phase.
+    pub fn narrow_phase(mut self, kind: NarrowPhaseKind) -> Self {
+        self.config.narrow_phase = kind;
+        self
+    }
+
+    /// How GJK looks at simplices.
+    pub fn gjk(mut self, kind: GjkKind) -> Self {
+        self.config.gjk = kind;
+        self
+    }
+
+    /// How contact points are found where faces meet. [`build`](Self::build) fails where the library was built
+    /// without the kind.
+    pub fn manifold(mut self, kind: ManifoldKind) -> Self {
+        self.config.manifold = kind;
+        self
+    }
+
     /// Makes the world.
     ///
     /// # Panics
@@ -301,7 +333,7 @@ impl WorldBuilder {
     /// Makes the world.
     ///
     /// # Errors
-    /// None today: every setting was checked when it was given.
+    /// Unsupported: the library was built without the kind of manifold. All else was checked when it was given.
     pub fn try_build(self) -> Result<World> {
         World::try_new(self.config)
     }
