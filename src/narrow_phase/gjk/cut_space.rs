@@ -20,6 +20,9 @@ impl SubAlgorithm for CutSpace {
 /// A volume below this share of the cube of the size is rounding: such a tetrahedron has no inside.
 const FLAT: f64 = 1e-14;
 
+/// The areas are differences of products; a sum below this share of the products is rounding.
+const SLIVER: f64 = 1e-13;
+
 /// The weights of one, two or three vertices.
 fn at<const N: usize>(members: [usize; N], t: [f64; N]) -> Weights {
     let mut weight = [0.0; 4];
@@ -79,10 +82,11 @@ fn triangle(s: &Simplex, [i, j, k]: [usize; 3]) -> Weights {
         return at([j, k], [1.0 - t, t]);
     }
     let whole = area_ab + area_bc + area_ca;
-    if area_ab > 0.0 && area_bc > 0.0 && area_ca > 0.0 && whole.is_normal() {
+    let reach = [ab_a, ac_a, ab_b, ac_b, ab_c, ac_c].iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    if area_ab > 0.0 && area_bc > 0.0 && area_ca > 0.0 && whole > SLIVER * reach * reach {
         return at([i, j, k], [area_bc / whole, area_ca / whole, area_ab / whole]);
     }
-    // Rounding has left the regions of a sliver with a gap between them.
+    // A sliver: rounding has left a gap between the regions of its edges.
     let mut best = Best::new();
     [[i, j], [j, k], [k, i]].into_iter().for_each(|e| best.offer(s, segment(s, e)));
     best.weight

@@ -4,12 +4,16 @@
 //!
 //! X carries the closest point where all Δᵢ(X) are positive and no Δⱼ(X ∪ {j}) is; its weights are Δᵢ(X) / Σ Δᵢ(X).
 //! Where rounding has left no such X, the backup procedure takes the best of all X with positive cofactors. The
-//! products of products lose digits fast: on flat simplices the signs are rounding.
+//! products of products lose digits fast: sets whose cofactors are rounding are passed over.
 
 use super::simplex::{Best, Simplex, SubAlgorithm, Weights};
 use crate::shape::Wide;
 
 pub(super) struct Johnson;
+
+/// A sum of cofactors below this share of (size · edge)² for triangles and of its cube for tetrahedra is rounding: the
+/// points span less than they should, and the signs mean nothing.
+const FLAT: f64 = 1e-14;
 
 /// The sub-simplices as sets of bits, small ones first.
 const SUBSETS: [usize; 15] = [1, 2, 4, 8, 3, 5, 6, 9, 10, 12, 7, 11, 13, 14, 15];
@@ -24,8 +28,10 @@ impl SubAlgorithm for Johnson {
         let mut y = [Wide::zeros(); 4];
         (0..n).for_each(|i| y[i] = s.w(i) / size);
         let mut dot = [[0.0; 4]; 4];
+        let mut edge: f64 = 0.0;
         for i in 0..n {
             for j in 0..=i {
+                edge = edge.max((y[i] - y[j]).amax());
                 dot[i][j] = y[i].dot(&y[j]);
                 dot[j][i] = dot[i][j];
             }
@@ -50,6 +56,14 @@ impl SubAlgorithm for Johnson {
                 continue;
             }
             let sum: f64 = delta.iter().sum();
+            let least = match set.count_ones() {
+                1 | 2 => 0.0,
+                3 => FLAT * edge * edge,
+                _ => FLAT * edge * edge * edge,
+            };
+            if sum <= least {
+                continue;
+            }
             let weight = delta.map(|d| d / sum);
             if (0..n).all(|j| set >> j & 1 == 1 || cofactor[set | 1 << j][j] <= 0.0) {
                 return weight;
