@@ -5,6 +5,7 @@
 mod support;
 
 use merev::math::quat_about;
+use merev::math::scalar::double;
 use merev::narrow_phase::{
     Cache, GjkKind, Manifold, ManifoldKind, Methods, NarrowPhaseKind, collide, distance_by, penetration,
 };
@@ -78,7 +79,9 @@ fn main() {
         for (name, gap) in GAPS {
             let poses = poses(&shape, gap, count);
             for kind in &GjkKind::ALL[1..] {
-                let ns = times(&poses, rounds, |p| drop(black_box(distance_by(&shape, &shape, p, *kind))));
+                let ns = times(&poses, rounds, |p| {
+                    black_box(distance_by(&shape, &shape, p, *kind));
+                });
                 let mut n: Vec<f64> = poses
                     .iter()
                     .map(|p| f64::from(distance_by(&shape, &shape, p, *kind).iterations))
@@ -95,10 +98,12 @@ fn main() {
             if gap < 0.0 {
                 for (method, kind) in [("epa", NarrowPhaseKind::GjkEpa), ("mpr", NarrowPhaseKind::GjkMpr)] {
                     let find = |p: &Pose| penetration(&shape, &shape, p, kind).expect("a bounded shape");
-                    let ns = times(&poses, rounds, |p| drop(black_box(find(p))));
+                    let ns = times(&poses, rounds, |p| {
+                        black_box(find(p));
+                    });
                     let mut n: Vec<f64> = poses.iter().map(|p| f64::from(find(p).iterations)).collect();
                     n.sort_by(f64::total_cmp);
-                    let found: Vec<f64> = poses.iter().map(|p| f64::from(find(p).depth as f32)).collect();
+                    let found: Vec<f64> = poses.iter().map(|p| double(find(p).depth)).collect();
                     let mean = found.iter().sum::<f64>() / found.len() as f64;
                     depth.push(format!(
                         "{},{method},{vertices},{name},{},{},{mean:.6}",

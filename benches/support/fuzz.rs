@@ -3,6 +3,7 @@
 
 use super::support::{CLASSES, Clouds, Random, pair, quantile};
 use merev::Float;
+use merev::math::scalar::double;
 use merev::narrow_phase::{
     Cache, DepthStatus, DistanceStatus, GjkKind, MAX_TRACE_STEPS, Manifold, ManifoldKind, Methods,
     NarrowPhaseKind, Proxy, TraceStep, collide, distance_proxy_traced, penetration,
@@ -36,7 +37,6 @@ pub fn status_names(method: usize) -> Vec<&'static str> {
 }
 
 /// Runs `count` pairs, class after class in turn: `tallies[method][class]`.
-#[allow(clippy::unnecessary_cast)]
 pub fn run(seed: u64, count: usize) -> Vec<Vec<Tally>> {
     let mut random = Random(seed);
     let mut tallies = vec![vec![Tally::default(); CLASSES.len()]; methods().len()];
@@ -52,7 +52,7 @@ pub fn run(seed: u64, count: usize) -> Vec<Vec<Tally>> {
         for (m, kind) in GjkKind::ALL[1..].iter().enumerate() {
             let tally = &mut tallies[m][class];
             let (d, steps) = distance_proxy_traced(&pa, &pb, &pose, *kind, &mut trace);
-            let found = d.distance as f64;
+            let found = double(d.distance);
             let sane = found.is_finite()
                 && found >= 0.0
                 && [d.point_a, d.point_b, d.normal].iter().all(|v| v.iter().all(|x| x.is_finite()))
@@ -82,7 +82,7 @@ pub fn run(seed: u64, count: usize) -> Vec<Vec<Tally>> {
             if let Some(exact) = oracle
                 && d.status != DepthStatus::Apart
             {
-                let error = d.depth as f64 - clouds.radii - exact;
+                let error = double(d.depth) - clouds.radii - exact;
                 tally.errors.push(error.abs() / clouds.scale);
             }
         }

@@ -1,6 +1,7 @@
 //! Seeded pairs of solids that break collision methods, and oracles in double: shared by the benches and the tests.
 #![allow(dead_code)]
 
+use merev::math::scalar::double;
 use merev::math::{quat, quat_about, rotate, vec3};
 use merev::shape::Shape;
 use merev::{Float, Pose, Quat, Vec3};
@@ -254,9 +255,8 @@ fn scaled(a: Wide, k: f64) -> Wide {
     [a[0] * k, a[1] * k, a[2] * k]
 }
 
-#[allow(clippy::unnecessary_cast)]
 fn wide(v: Vec3) -> Wide {
-    [v.x as f64, v.y as f64, v.z as f64]
+    [double(v.x), double(v.y), double(v.z)]
 }
 
 /// Both clouds in the frame of A, in double.
@@ -269,9 +269,8 @@ pub struct Clouds {
 }
 
 impl Clouds {
-    #[allow(clippy::unnecessary_cast)]
     pub fn new(a: &Solid, b: &Solid, pose: &Pose) -> Self {
-        let [x, y, z, w] = [pose.q.i as f64, pose.q.j as f64, pose.q.k as f64, pose.q.w as f64];
+        let [x, y, z, w] = [double(pose.q.i), double(pose.q.j), double(pose.q.k), double(pose.q.w)];
         let s = 2.0 / (x * x + y * y + z * z + w * w);
         let place = |p: &Vec3| {
             let (u, v) = ([x, y, z], wide(*p));
@@ -282,7 +281,7 @@ impl Clouds {
         };
         let (ca, cb): (Vec<_>, Vec<_>) =
             (a.points.iter().map(|p| wide(*p)).collect(), b.points.iter().map(place).collect());
-        let radii = (a.radius + b.radius) as f64;
+        let radii = double(a.radius + b.radius);
         let scale = ca.iter().chain(&cb).flatten().fold(radii, |s, x| s.max(x.abs()));
         Self { a: ca, b: cb, radii, scale }
     }

@@ -124,8 +124,9 @@ fn by_products(edges: &[Wide], last: &Wide) -> Option<[f64; 4]> {
         }
         for i in k + 1..=n {
             let f = m[i][k] / pivot;
-            for j in k..5 {
-                m[i][j] -= f * m[k][j];
+            let upper = m[k];
+            for (x, y) in m[i].iter_mut().zip(upper).skip(k) {
+                *x -= f * y;
             }
         }
     }
