@@ -71,7 +71,7 @@ fn tetrahedron(s: &Simplex) -> Weights {
     let (bc, da) = (b.cross(&c), d.cross(&a));
     let part = [-bc.dot(&d), da.dot(&c), -da.dot(&b), bc.dot(&a)];
     let whole = part[0] + part[1] + part[2] + part[3];
-    // A flat tetrahedron tells nothing by its signs.
+    // A flat tetrahedron tells nothing by its signs, and has no inside.
     let size = s.scale();
     let flat = whole.abs() <= 1e-14 * size * size * size;
     let mut best = Best::new();
@@ -83,7 +83,11 @@ fn tetrahedron(s: &Simplex) -> Weights {
             best.offer(s, triangle(s, face));
         }
     }
-    if inside { [part[0] / whole, part[1] / whole, part[2] / whole, part[3] / whole] } else { best.weight }
+    if inside && !flat {
+        [part[0] / whole, part[1] / whole, part[2] / whole, part[3] / whole]
+    } else {
+        best.weight
+    }
 }
 
 /// Twice the signed area of the triangle o p q, seen in the plane of coordinates y and z.
