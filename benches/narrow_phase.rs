@@ -1,7 +1,7 @@
 //! What a contact costs, in ns a call: `cargo bench --bench narrow_phase`.
 
 use merev::math::{quat_about, vec3};
-use merev::narrow_phase::{Cache, Manifold, NarrowPhaseKind, collide, distance};
+use merev::narrow_phase::{Cache, Manifold, Methods, NarrowPhaseKind, collide, distance};
 use merev::shape::Shape;
 use merev::{Float, Pose, Vec3};
 use std::hint::black_box;
@@ -65,18 +65,26 @@ fn main() {
         ("floor-box", &floor, &cube, Pose::new(up(0.4999), yaw)),
         ("floor-ball200", &floor, &b200, Pose::new(up(0.49), yaw)),
     ];
-    println!("{:<26}{:>10}{:>10}{:>10}{:>8}", "", "auto", "gjk-epa", "distance", "points");
+    println!("{:<26}{:>10}{:>10}{:>10}{:>8}", "", "auto", "gjk_epa", "distance", "points");
     for (name, a, b, pose) in cases {
         let mut m = Manifold::default();
         let at = |i: usize| Pose::new(pose.p + vec3((i % 7) as Float, 0.0, (i % 5) as Float) * 1e-5, pose.q);
         let mut cache = Cache::default();
         let auto = time(|i| {
-            collide(a, b, black_box(&at(i)), 0.01, NarrowPhaseKind::Auto, &mut cache, black_box(&mut m))
+            collide(a, b, black_box(&at(i)), 0.01, Methods::default(), &mut cache, black_box(&mut m))
         });
         let points = m.count;
         let mut cache = Cache::default();
         let gjk = time(|i| {
-            collide(a, b, black_box(&at(i)), 0.01, NarrowPhaseKind::GjkEpa, &mut cache, black_box(&mut m))
+            collide(
+                a,
+                b,
+                black_box(&at(i)),
+                0.01,
+                NarrowPhaseKind::GjkEpa.into(),
+                &mut cache,
+                black_box(&mut m),
+            )
         });
         let far = time(|i| {
             black_box(distance(a, b, black_box(&at(i))));

@@ -806,7 +806,13 @@ typedef int32_t mvBroadPhaseKind;
 typedef int32_t mvNarrowPhaseKind;
 
 /**
- * How contact points are chosen where there are more than four: one of the mv_manifold... constants.
+ * How the search for the distance of two shapes looks at simplices: one of the mv_gjk... constants. All find the same
+ * distance, up to rounding.
+ */
+typedef int32_t mvGjkKind;
+
+/**
+ * How contact points are found where faces meet: one of the mv_manifold... constants.
  */
 typedef int32_t mvManifoldKind;
 
@@ -903,7 +909,11 @@ typedef struct mvWorldDef {
      */
     mvNarrowPhaseKind narrowPhase;
     /**
-     * The choice of contact points; default mv_manifold_auto.
+     * How the narrow phase looks at simplices; default mv_gjk_auto.
+     */
+    mvGjkKind gjk;
+    /**
+     * How contact points are found where faces meet; default mv_manifold_auto.
      */
     mvManifoldKind manifold;
 } mvWorldDef;
@@ -1061,6 +1071,10 @@ typedef struct mvDistanceInput {
      * Whether the radii count.
      */
     bool useRadii;
+    /**
+     * How the search looks at simplices; 0 is mv_gjk_auto.
+     */
+    mvGjkKind gjk;
 } mvDistanceInput;
 
 /**
@@ -1816,6 +1830,11 @@ typedef struct mvVec2 {
 /**
  * What the library thinks best.
  */
+#define mv_gjk_auto 0
+
+/**
+ * What the library thinks best.
+ */
 #define mv_manifold_auto 0
 
 /**
@@ -1947,6 +1966,41 @@ typedef struct mvVec2 {
  * Iterative distance and penetration: a cross-check by another way.
  */
 #define mv_narrowPhase_gjkEpa 2
+
+/**
+ * Iterative distance, and penetration along a ray: cheaper, but the penetration need not be the least.
+ */
+#define mv_narrowPhase_gjkMpr 3
+
+/**
+ * A linear system for barycentric coordinates, with recursion over faces: slow, a yardstick.
+ */
+#define mv_gjk_barycentric 1
+
+/**
+ * The Voronoi regions of vertices, edges and faces.
+ */
+#define mv_gjk_cutSpace 2
+
+/**
+ * Signs of volumes.
+ */
+#define mv_gjk_signedVolumes 3
+
+/**
+ * Cofactors of all faces, with a backup procedure.
+ */
+#define mv_gjk_johnson 4
+
+/**
+ * One face is cut by the sides of the other.
+ */
+#define mv_manifold_sutherlandHodgman 1
+
+/**
+ * Both faces are intersected by the polygon library Clipper2. Fails with mv_errorUnsupported where it is not built in.
+ */
+#define mv_manifold_clipper2 2
 
 /**
  * All points within a radius of a segment.
@@ -2790,8 +2844,8 @@ MV_API mvSurfaceMaterial mvDefaultSurfaceMaterial(void);
  *
  * @param input the solids
  * @param cache written: which points carry the closest points; may be null. Today's search does not read it.
- * @param simplexes filled with the simplex that the search ended with; may be null
- * @param simplexCapacity the room in the array, >= 0
+ * @param simplexes filled with the simplexes of the search in order, the one it ended with always the last; may be null
+ * @param simplexCapacity the room in the array, >= 0; 65 is enough for every search
  * @return the closest points, in the frame of A; zero for bad arguments
  * @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange.
  */
@@ -3186,7 +3240,15 @@ MV_API const char *mvGetBroadPhaseKindName(mvBroadPhaseKind kind);
 MV_API const char *mvGetNarrowPhaseKindName(mvNarrowPhaseKind kind);
 
 /**
- * Get the name of a choice of contact points.
+ * Get the name of a way to look at simplices.
+ *
+ * @return a constant, null for a number that is none of the constants
+ * @note Errors: mv_errorRange.
+ */
+MV_API const char *mvGetGjkKindName(mvGjkKind kind);
+
+/**
+ * Get the name of a way to find contact points.
  *
  * @return a constant, null for a number that is none of the constants
  * @note Errors: mv_errorRange.

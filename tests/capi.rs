@@ -76,6 +76,10 @@ fn build(source: &Path, shared: bool) -> PathBuf {
         command.arg(format!("-Wl,-rpath,{}", library_dir().display()));
     } else {
         command.arg(library_dir().join("libmerev.a")).args(["-lm", "-ldl"]);
+        // Clipper2, a part of the library, is C++.
+        if cfg!(feature = "clipper2") {
+            command.arg("-lstdc++");
+        }
     }
     succeed(&mut command);
     program

@@ -433,3 +433,22 @@ fn a_world_of_either_plan_can_be_updated() {
     world.update(0.5);
     assert!(close(world.get(ball).unwrap().position().y, -1.25));
 }
+
+#[test]
+fn the_builder_chooses_the_narrow_phase() {
+    use merev::narrow_phase::{GjkKind, ManifoldKind, NarrowPhaseKind};
+    for kind in NarrowPhaseKind::ALL {
+        for manifold in ManifoldKind::ALL {
+            let builder = WorldBuilder::new().narrow_phase(kind).gjk(GjkKind::Barycentric).manifold(manifold);
+            let Ok(mut world) = builder.try_build() else {
+                assert!(!manifold.is_built());
+                continue;
+            };
+            world.add_staticbody(Shape::new_box(10.0, 1.0, 10.0)).pos(0.0, -0.5, 0.0).finish();
+            let id = world.add_rigidbody(Shape::new_box(1.0, 1.0, 1.0)).pos(0.0, 0.6, 0.0).finish();
+            (0..100).for_each(|_| world.update(0.01));
+            let y = world.get(id).unwrap().position().y;
+            assert!((y - 0.5).abs() < 1e-3, "{kind:?} {manifold:?}: {y}");
+        }
+    }
+}

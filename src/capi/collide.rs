@@ -8,7 +8,7 @@ use super::shape_data::{mvCapsule, mvSphere};
 use super::{Flag, mvFloat};
 use crate::error::Result;
 use crate::math::{Pose, tolerance::CONTACT_MARGIN};
-use crate::narrow_phase::{self, Cache, Manifold, NarrowPhaseKind};
+use crate::narrow_phase::{self, Cache, Manifold, Methods};
 use crate::shape::Shape;
 use core::ffi::c_int;
 
@@ -234,7 +234,7 @@ unsafe fn collide(
     let margin = CONTACT_MARGIN * a.inner_radius().min(b.inner_radius());
     let mut found = Manifold::default();
     let pose = a_local.back_to(&b_in_a);
-    narrow_phase::collide(&a, &b, &pose, margin, NarrowPhaseKind::Auto, &mut Cache::default(), &mut found);
+    narrow_phase::collide(&a, &b, &pose, margin, Methods::default(), &mut Cache::default(), &mut found);
     if found.count > 0 {
         out.normal = a_local.vector(found.normal).into();
     }

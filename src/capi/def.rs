@@ -42,7 +42,13 @@ pub type mvNarrowPhaseKind = i32;
 /// What the library thinks best.
 pub const mv_narrowPhase_auto: mvNarrowPhaseKind = 0;
 
-/// How contact points are chosen where there are more than four: one of the mv_manifold... constants.
+/// How the search for the distance of two shapes looks at simplices: one of the mv_gjk... constants. All find the same
+/// distance, up to rounding.
+pub type mvGjkKind = i32;
+/// What the library thinks best.
+pub const mv_gjk_auto: mvGjkKind = 0;
+
+/// How contact points are found where faces meet: one of the mv_manifold... constants.
 pub type mvManifoldKind = i32;
 /// What the library thinks best.
 pub const mv_manifold_auto: mvManifoldKind = 0;
@@ -142,7 +148,9 @@ pub struct mvWorldDef {
     pub broad_phase: mvBroadPhaseKind,
     /// The narrow phase; default mv_narrowPhase_auto.
     pub narrow_phase: mvNarrowPhaseKind,
-    /// The choice of contact points; default mv_manifold_auto.
+    /// How the narrow phase looks at simplices; default mv_gjk_auto.
+    pub gjk: mvGjkKind,
+    /// How contact points are found where faces meet; default mv_manifold_auto.
     pub manifold: mvManifoldKind,
 }
 
@@ -332,6 +340,7 @@ pub extern "C" fn mvDefaultWorldDef() -> mvWorldDef {
         integrator: mv_integrator_auto,
         broad_phase: mv_broadPhase_auto,
         narrow_phase: mv_narrowPhase_auto,
+        gjk: mv_gjk_auto,
         manifold: mv_manifold_auto,
     }
 }

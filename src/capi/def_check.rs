@@ -29,11 +29,6 @@ pub(super) fn choice<T: Copy>(name: &str, value: i32, all: &[T], number: impl Fn
     })
 }
 
-/// A choice of which only "auto" exists.
-fn only_auto(name: &str, value: i32) -> Result<()> {
-    choice(name, value, &[0], |k| k).map(|_| ())
-}
-
 pub(super) fn body_type(value: mvBodyType) -> Result<BodyType> {
     choice("type", value, &[BodyType::Static, BodyType::Kinematic, BodyType::Dynamic], |k| k as i32)
 }
@@ -60,7 +55,6 @@ pub(super) fn from_word(word: u64) -> *mut c_void {
 impl mvWorldDef {
     pub(super) fn checked(&self) -> Result<WorldDef> {
         check_cookie("World", self.internal_value, WORLD_COOKIE)?;
-        only_auto("manifold", self.manifold)?;
         let def = WorldDef {
             gravity: self.gravity.raw(),
             restitution_threshold: self.restitution_threshold,
@@ -78,6 +72,8 @@ impl mvWorldDef {
             integrator: super::kind::integrator(self.integrator)?,
             broad_phase: super::kind::broad_phase(self.broad_phase)?,
             narrow_phase: super::kind::narrow_phase(self.narrow_phase)?,
+            gjk: super::kind::gjk(self.gjk)?,
+            manifold: super::kind::manifold(self.manifold)?,
             user_data: to_word(self.user_data),
             ..WorldDef::default()
         };

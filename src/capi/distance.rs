@@ -1,5 +1,6 @@
 //! Distance, overlap and casts of convex point clouds and shapes without a world.
 
+use super::def::mvGjkKind;
 use super::def_check::flag;
 use super::geometry::{NO_HIT, mvCastOutput};
 use super::guard::{call, count, needed, neutral, room, slice};
@@ -10,7 +11,8 @@ use super::{Flag, mvFloat};
 use crate::error::{Error, ErrorCode, Result, check};
 use crate::math::{Float, Pose, Vec3};
 use crate::narrow_phase::{
-    CastHit, MAX_PROXY_POINTS, Proxy, cast_proxy, distance_proxy, overlap_proxy, shape_cast_proxy, witnesses,
+    CastHit, MAX_PROXY_POINTS, MAX_TRACE_STEPS, Proxy, TraceStep, cast_proxy, distance_proxy_traced,
+    overlap_proxy, shape_cast_proxy,
 };
 use crate::shape::Shape;
 use core::ffi::c_int;
@@ -43,6 +45,8 @@ pub struct mvDistanceInput {
     pub transform: mvTransform,
     /// Whether the radii count.
     pub use_radii: Flag,
+    /// How the search looks at simplices; 0 is mv_gjk_auto.
+    pub gjk: mvGjkKind,
 }
 
 /// The closest points of two solids, in the frame of A.
@@ -180,8 +184,8 @@ impl mvShapeProxy {
 ///
 /// @param input the solids
 /// @param cache written: which points carry the closest points; may be null. Today's search does not read it.
-/// @param simplexes filled with the simplex that the search ended with; may be null
-/// @param simplexCapacity the room in the array, >= 0
+/// @param simplexes filled with the simplexes of the search in order, the one it ended with always the last; may be null
+/// @param simplexCapacity the room in the array, >= 0; 65 is enough for every search
 /// @return the closest points, in the frame of A; zero for bad arguments
 /// @note Errors: mv_errorNull, mv_errorNotFinite, mv_errorRange.
 #[unsafe(no_mangle)]
@@ -204,34 +208,36 @@ pub unsafe extern "C" fn mvShapeDistance(
             (a.radius, b.radius) = (0.0, 0.0);
         }
         let (pa, pb) = (a.proxy()?, b.proxy()?);
-        let d = distance_proxy(&pa, &pb, &pose);
+        let gjk = super::kind::gjk(input.gjk)?;
+        let mut steps = [TraceStep::default(); MAX_TRACE_STEPS];
+        // A search that nobody watches records nothing; the cache wants its end.
+        let wanted = if cache.is_some() { room.len().max(1) } else { room.len() };
+        let steps = &mut steps[..wanted.min(MAX_TRACE_STEPS)];
+        let (d, recorded) = distance_proxy_traced(&pa, &pb, &pose, gjk, steps);
+        if let (Some(cache), Some(end)) = (cache, recorded.checked_sub(1).map(|i| &steps[i])) {
+            let metric = d.distance + if d.distance > 0.0 { a.radius + b.radius } else { 0.0 };
+            *cache = mvSimplexCache {
+                metric,
+                count: end.count as u16,
+                index_a: end.pairs.map(|(i, _)| i as u8),
+                index_b: end.pairs.map(|(_, j)| j as u8),
+            };
+        }
         let mut written = 0;
-        if cache.is_some() || !room.is_empty() {
-            let (pairs, n) = witnesses(&pa, &pb, &pose);
-            if let Some(cache) = cache {
-                let metric = d.distance + if d.distance > 0.0 { a.radius + b.radius } else { 0.0 };
-                *cache = mvSimplexCache {
-                    metric,
-                    count: n as u16,
-                    index_a: pairs.map(|(i, _)| i as u8),
-                    index_b: pairs.map(|(_, j)| j as u8),
+        for (place, step) in room.iter_mut().zip(&steps[..recorded]) {
+            let mut vertices = [NO_VERTEX; 4];
+            for (v, (i, j)) in vertices.iter_mut().zip(&step.pairs[..step.count]) {
+                let (wa, wb) = (a.points[*i as usize], pose.point(b.points[*j as usize]));
+                *v = mvSimplexVertex {
+                    w_a: wa.into(),
+                    w_b: wb.into(),
+                    w: (wb - wa).into(),
+                    index_a: c_int::from(*i),
+                    index_b: c_int::from(*j),
                 };
             }
-            if let Some(place) = room.first_mut() {
-                let mut vertices = [NO_VERTEX; 4];
-                for (v, (i, j)) in vertices.iter_mut().zip(&pairs[..n]) {
-                    let (wa, wb) = (a.points[*i as usize], pose.point(b.points[*j as usize]));
-                    *v = mvSimplexVertex {
-                        w_a: wa.into(),
-                        w_b: wb.into(),
-                        w: (wb - wa).into(),
-                        index_a: c_int::from(*i),
-                        index_b: c_int::from(*j),
-                    };
-                }
-                place.write(mvSimplex { vertices, count: n as c_int });
-                written = 1;
-            }
+            place.write(mvSimplex { vertices, count: step.count as c_int });
+            written += 1;
         }
         Ok(mvDistanceOutput {
             point_a: d.point_a.into(),

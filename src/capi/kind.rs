@@ -6,7 +6,7 @@ use super::guard::call;
 use crate::broad_phase::BroadPhaseKind;
 use crate::error::Result;
 use crate::integrate::IntegratorKind;
-use crate::narrow_phase::NarrowPhaseKind;
+use crate::narrow_phase::{GjkKind, ManifoldKind, NarrowPhaseKind};
 use crate::solver::SolverKind;
 use core::ffi::{CStr, c_char};
 
@@ -34,6 +34,20 @@ pub const mv_broadPhase_dynamicBvh: mvBroadPhaseKind = 2;
 pub const mv_narrowPhase_specialised: mvNarrowPhaseKind = 1;
 /// Iterative distance and penetration: a cross-check by another way.
 pub const mv_narrowPhase_gjkEpa: mvNarrowPhaseKind = 2;
+/// Iterative distance, and penetration along a ray: cheaper, but the penetration need not be the least.
+pub const mv_narrowPhase_gjkMpr: mvNarrowPhaseKind = 3;
+/// A linear system for barycentric coordinates, with recursion over faces: slow, a yardstick.
+pub const mv_gjk_barycentric: mvGjkKind = 1;
+/// The Voronoi regions of vertices, edges and faces.
+pub const mv_gjk_cutSpace: mvGjkKind = 2;
+/// Signs of volumes.
+pub const mv_gjk_signedVolumes: mvGjkKind = 3;
+/// Cofactors of all faces, with a backup procedure.
+pub const mv_gjk_johnson: mvGjkKind = 4;
+/// One face is cut by the sides of the other.
+pub const mv_manifold_sutherlandHodgman: mvManifoldKind = 1;
+/// Both faces are intersected by the polygon library Clipper2. Fails with mv_errorUnsupported where it is not built in.
+pub const mv_manifold_clipper2: mvManifoldKind = 2;
 
 // The numbers of the header are those of the engine.
 const _: () = {
@@ -49,6 +63,13 @@ const _: () = {
     assert!(mv_broadPhase_dynamicBvh == BroadPhaseKind::DynamicBvh as i32);
     assert!(mv_narrowPhase_specialised == NarrowPhaseKind::Specialised as i32);
     assert!(mv_narrowPhase_gjkEpa == NarrowPhaseKind::GjkEpa as i32);
+    assert!(mv_narrowPhase_gjkMpr == NarrowPhaseKind::GjkMpr as i32);
+    assert!(mv_gjk_barycentric == GjkKind::Barycentric as i32);
+    assert!(mv_gjk_cutSpace == GjkKind::CutSpace as i32);
+    assert!(mv_gjk_signedVolumes == GjkKind::SignedVolumes as i32);
+    assert!(mv_gjk_johnson == GjkKind::Johnson as i32);
+    assert!(mv_manifold_sutherlandHodgman == ManifoldKind::SutherlandHodgman as i32);
+    assert!(mv_manifold_clipper2 == ManifoldKind::Clipper2 as i32);
 };
 
 /// Get the name of a solver.
@@ -87,13 +108,22 @@ pub extern "C" fn mvGetNarrowPhaseKindName(kind: mvNarrowPhaseKind) -> *const c_
     call(|| Ok(constant(narrow_phase(kind)?.name())))
 }
 
-/// Get the name of a choice of contact points.
+/// Get the name of a way to look at simplices.
+///
+/// @return a constant, null for a number that is none of the constants
+/// @note Errors: mv_errorRange.
+#[unsafe(no_mangle)]
+pub extern "C" fn mvGetGjkKindName(kind: mvGjkKind) -> *const c_char {
+    call(|| Ok(constant(gjk(kind)?.name())))
+}
+
+/// Get the name of a way to find contact points.
 ///
 /// @return a constant, null for a number that is none of the constants
 /// @note Errors: mv_errorRange.
 #[unsafe(no_mangle)]
 pub extern "C" fn mvGetManifoldKindName(kind: mvManifoldKind) -> *const c_char {
-    call(|| choice("kind", kind, &[mv_manifold_auto], |k| k).map(|_| constant("auto")))
+    call(|| Ok(constant(manifold(kind)?.name())))
 }
 
 pub(super) fn solver(kind: mvSolverKind) -> Result<SolverKind> {
@@ -116,8 +146,17 @@ pub(super) fn narrow_phase(kind: mvNarrowPhaseKind) -> Result<NarrowPhaseKind> {
     choice("narrowPhase", kind, &NarrowPhaseKind::ALL, |k| k as i32)
 }
 
+pub(super) fn gjk(kind: mvGjkKind) -> Result<GjkKind> {
+    choice("gjk", kind, &GjkKind::ALL, |k| k as i32)
+}
+
+pub(super) fn manifold(kind: mvManifoldKind) -> Result<ManifoldKind> {
+    choice("manifold", kind, &ManifoldKind::ALL, |k| k as i32)
+}
+
 /// The engine's name as a C constant.
 fn constant(name: &str) -> *const c_char {
+    #[rustfmt::skip]
     const NAMES: &[&CStr] = &[
         c"auto",
         c"soft_step",
@@ -131,7 +170,14 @@ fn constant(name: &str) -> *const c_char {
         c"brute_force",
         c"dynamic_bvh",
         c"specialised",
-        c"gjk-epa",
+        c"gjk_epa",
+        c"gjk_mpr",
+        c"barycentric",
+        c"cut_space",
+        c"signed_volumes",
+        c"johnson",
+        c"sutherland_hodgman",
+        c"clipper2",
     ];
     NAMES.iter().find(|n| n.to_bytes() == name.as_bytes()).map_or(c"unnamed".as_ptr(), |n| n.as_ptr())
 }
@@ -151,5 +197,7 @@ mod tests {
         IntegratorKind::ALL.iter().for_each(|&k| named(mvGetIntegratorKindName(k as i32)));
         BroadPhaseKind::ALL.iter().for_each(|&k| named(mvGetBroadPhaseKindName(k as i32)));
         NarrowPhaseKind::ALL.iter().for_each(|&k| named(mvGetNarrowPhaseKindName(k as i32)));
+        GjkKind::ALL.iter().for_each(|&k| named(mvGetGjkKindName(k as i32)));
+        ManifoldKind::ALL.iter().for_each(|&k| named(mvGetManifoldKindName(k as i32)));
     }
 }

@@ -7,9 +7,10 @@
 use super::analytic::closest_of_segments;
 use super::contact::{Manifold, feature};
 use super::frame::Frame;
-use super::polytopes::{by_gjk, inner, preferences};
-use super::reduce::{Candidate, reduce};
-use super::{Cache, CachedAxis, clip};
+use super::manifold::reduce::{Candidate, reduce};
+use super::manifold::{FLUSH, ManifoldKind};
+use super::polytopes::{by_gjk, from_face, inner, preferences};
+use super::{Cache, CachedAxis, Methods};
 use crate::math::tolerance::PARALLEL_SINE;
 use crate::math::{Float, Pose, Vec3};
 use crate::shape::cuboid::{LOOP_EDGES, LOOPS, SIDES};
@@ -33,6 +34,7 @@ pub(super) fn collide(
     b: &Cuboid,
     pose: &Pose,
     margin: Float,
+    methods: Methods,
     cache: &mut Cache,
     out: &mut Manifold,
 ) {
@@ -56,9 +58,13 @@ pub(super) fn collide(
         if gap > margin || axes.touch_edges(gap, i, j, out) {
             return;
         }
-        return by_gjk(a, b, pose, margin, cache, out);
+        return by_gjk(a, b, pose, margin, methods, cache, out);
     }
-    if b_is_reference {
+    if methods.manifold == ManifoldKind::Clipper2 {
+        cache.axis =
+            if b_is_reference { CachedAxis::FaceB(axis_b as u16) } else { CachedAxis::FaceA(axis_a as u16) };
+        axes.touch_any(a, b, pose, b_is_reference, [axis_a, axis_b], margin, methods.manifold, out);
+    } else if b_is_reference {
         cache.axis = CachedAxis::FaceB(axis_b as u16);
         axes.of_b().touch_faces(axis_b, margin, feature::mirrored, out);
         out.normal = -axes.frame.vector(out.normal);
@@ -71,7 +77,7 @@ pub(super) fn collide(
     }
     // The faces may pass each other sideways: a corner near a corner. Then the distance decides.
     if out.count == 0 {
-        by_gjk(a, b, pose, margin, cache, out);
+        by_gjk(a, b, pose, margin, methods, cache, out);
     }
 }
 
@@ -171,6 +177,29 @@ impl Axes {
         }
     }
 
+    /// The contact of two faces by any kind of manifold: along axis k\[0\] of A, or k\[1\] of B where that is the
+    /// reference.
+    #[cold]
+    #[allow(clippy::too_many_arguments)]
+    fn touch_any(
+        &self,
+        a: &Cuboid,
+        b: &Cuboid,
+        pose: &Pose,
+        b_is_reference: bool,
+        k: [usize; 2],
+        margin: Float,
+        kind: ManifoldKind,
+        out: &mut Manifold,
+    ) {
+        let face = if b_is_reference {
+            Err(2 * k[1] + usize::from(self.t_b[k[1]] <= 0.0))
+        } else {
+            Ok(2 * k[0] + usize::from(self.t[k[0]] >= 0.0))
+        };
+        from_face(kind, a, b, pose, &self.frame, &self.frame.inverse(), face, margin, out);
+    }
+
     /// The contact of an edge of A along its axis `i` with an edge of B along its axis `j`; `false` where they are
     /// apart and pass each other beyond their ends.
     fn touch_edges(&self, gap: Float, i: usize, j: usize, out: &mut Manifold) -> bool {
@@ -203,7 +232,7 @@ struct Side {
     r: [[Float; 3]; 3],
 }
 
-/// A corner of the clipped face: its place, and the label of the edge that leaves it (see [`clip`]).
+/// A corner of the clipped face: its place, and the label of the edge that leaves it (see [`sutherland_hodgman`](super::manifold::sutherland_hodgman)).
 type Corner = ([Float; 3], u8);
 
 /// Set in the labels of edges on a side of the reference face.
@@ -224,7 +253,7 @@ impl Axes {
 }
 
 impl Side {
-    /// Clips the face of the other box that looks at this box's face along axis `k`: [`clip::faces`] for boxes, where
+    /// Clips the face of the other box that looks at this box's face along axis `k`: [`faces`](super::manifold::faces) for boxes, where
     /// sides are coordinate planes. The result is in the frame of this box, with this box as A.
     #[inline(always)]
     fn touch_faces(&self, k: usize, margin: Float, number: impl Fn(u32) -> u32, out: &mut Manifold) {
@@ -243,7 +272,7 @@ impl Side {
             *corner = ([place(0), place(1), place(2)], i as u8);
         }
         let mut n = 4;
-        let flush = clip::FLUSH * half[0].min(half[1]).min(half[2]).min(h[0].min(h[1]).min(h[2]));
+        let flush = FLUSH * half[0].min(half[1]).min(half[2]).min(h[0].min(h[1]).min(h[2]));
         for (i, &(axis, positive)) in SIDES[face].iter().enumerate() {
             n = cut(
                 &mut polygon,
@@ -279,7 +308,7 @@ impl Side {
 }
 
 /// Cuts a polygon of `n` corners at ±x\[axis\] = `half`; returns the number of corners left. The rules are those of
-/// [`clip`]: corners within `flush` of the plane stay.
+/// [`sutherland_hodgman`](super::manifold::sutherland_hodgman): corners within `flush` of the plane stay.
 #[inline(always)]
 fn cut(
     polygon: &mut [Corner; 8],
@@ -328,7 +357,7 @@ fn cut(
     left.min(8)
 }
 
-/// The features that meet in a corner between two labelled edges, as in [`clip`].
+/// The features that meet in a corner between two labelled edges, as in [`sutherland_hodgman`](super::manifold::sutherland_hodgman).
 #[inline(always)]
 fn corner_feature(face: usize, incident: usize, before: u8, after: u8) -> u32 {
     let (i, j) = ((before & 3) as usize, (after & 3) as usize);

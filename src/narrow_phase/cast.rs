@@ -2,7 +2,7 @@
 //! where the separating plane of the last distance is reached, so the fraction grows towards the true one and never
 //! passes it.
 
-use super::gjk::{Pair, Status};
+use super::gjk::{GjkKind, Pair, Status};
 use super::query::{Proxy, core, lowest};
 use crate::math::scalar::{double, single};
 use crate::math::tolerance::CAST_ARRIVAL;
@@ -95,7 +95,7 @@ fn cast_cores(a: &Core, b: &Core, pose: &Pose, translation: Vec3, max_fraction: 
     let (ra, radii) = (double(a.radius), double(a.radius + b.radius));
     let mut fraction = 0.0;
     for step in 0..MAX_STEPS {
-        let close = pair.distance(Float::MAX);
+        let close = pair.distance(GjkKind::Auto, Float::MAX);
         let gap = close.distance - radii;
         let hit = |normal| {
             let point = narrow(close.a + close.normal * ra);

@@ -3,33 +3,10 @@
 //!
 //! In double, like GJK. The polytope lives on the stack.
 
+use super::depth::{Depth, DepthStatus};
 use super::gjk::{Pair, Simplex, Vertex};
 use crate::math::tolerance::EPA_PROGRESS;
 use crate::shape::Wide;
-
-/// The ways out of EPA.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Status {
-    /// The closest face lies on the surface: the depth is exact up to rounding.
-    Converged,
-    /// The difference has no volume (two segments, say): the depth is 0 and the normal leaves its plane or line.
-    Flat,
-    /// The polytope is full or a new face would have no area: the depth is that of the best normal so far.
-    Limit,
-}
-
-/// How deep two cores overlap.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Depth {
-    pub status: Status,
-    /// How far B must move along the normal to leave A.
-    pub depth: f64,
-    /// From A to B.
-    pub normal: Wide,
-    /// On the surface of A and on that of B.
-    pub a: Wide,
-    pub b: Wide,
-}
 
 const MAX_VERTICES: usize = 64;
 const MAX_FACES: usize = 2 * MAX_VERTICES;
@@ -68,22 +45,28 @@ pub(super) fn depth(pair: &Pair, simplex: &Simplex) -> Depth {
     for v in [[0, b, c], [b, 0, 3], [c, b, 3], [0, c, 3]] {
         polytope.add(v);
     }
-    let mut status = Status::Limit;
+    let (mut status, mut iterations) = (DepthStatus::Full, 0);
     let mut best = polytope.closest();
     while polytope.len < MAX_VERTICES {
+        iterations += 1;
         let w = pair.support(best.normal);
         if best.normal.dot(&w.w) - best.distance <= EPA_PROGRESS * scale {
-            status = Status::Converged;
+            status = DepthStatus::Converged;
             break;
         }
-        if polytope.vertices[..polytope.len].iter().any(|v| v.id == w.id) || !polytope.grow(w, scale) {
+        if polytope.vertices[..polytope.len].iter().any(|v| v.id == w.id) {
+            status = DepthStatus::Repeated;
+            break;
+        }
+        if !polytope.grow(w, scale) {
+            status = DepthStatus::Degenerate;
             break;
         }
         best = polytope.closest();
     }
     let (a, b) = pair.witnesses(polytope.weights(&best, scale).iter().map(|(v, k)| (v, *k)));
     // What the best normal really gives, even where the search ended early.
-    Depth { status, depth: -pair.gap_along(best.normal), normal: best.normal, a, b }
+    Depth { status, iterations, depth: -pair.gap_along(best.normal), normal: best.normal, a, b }
 }
 
 impl Polytope {
@@ -242,5 +225,5 @@ fn flat(pair: &Pair, v: &[Vertex]) -> Depth {
     };
     let share = 1.0 / v.len() as f64;
     let (a, b) = pair.witnesses(v.iter().map(|v| (v, share)));
-    Depth { status: Status::Flat, depth: 0.0, normal: normal / normal.norm(), a, b }
+    Depth { status: DepthStatus::Flat, iterations: 0, depth: 0.0, normal: normal / normal.norm(), a, b }
 }

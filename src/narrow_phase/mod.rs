@@ -4,44 +4,53 @@
 //! them see B from A: they take `a_from_b` and answer in the frame of A, so that nothing depends on how far from
 //! the world's origin a pair lies.
 //!
-//! | pair | specialised | GJK + EPA |
-//! |---|---|---|
-//! | sphere, capsule – sphere, capsule | closed form | axis, then one point or two |
-//! | sphere – box | closed form | axis, then one point |
-//! | box – box | 15 axes, cached | axis, then faces |
-//! | box, hull – hull (small) | faces and edges with Gauss-map pruning | axis, then faces |
-//! | hull – hull (large) | as GJK + EPA: edge pairs would be too many | axis, then faces |
-//! | sphere, capsule – box, hull | GJK while the core is outside, faces and edges inside | axis |
-//! | half-space – all | closed form | closed form |
+//! | kind | idea | paper | cost | when to pick it | where it fails |
+//! |---|---|---|---|---|---|
+//! | [`Specialised`](NarrowPhaseKind::Specialised) | closed forms and separating axes, a table of pairs | Gottschalk 1996, Gregorius GDC 2013 | least | always: this is `Auto` | large hulls are left to GJK + EPA |
+//! | [`GjkEpa`](NarrowPhaseKind::GjkEpa) | distance by GJK, depth by an expanding polytope | the thesis, 5.2–5.3; van den Bergen 2001 | some µs | as a cross-check | deep overlaps of round hulls fill the polytope |
+//! | [`GjkMpr`](NarrowPhaseKind::GjkMpr) | distance by GJK, depth along a ray by a portal | Snethen 2008 | less than EPA | shallow overlaps, many vertices | the depth is not the least one |
 //!
-//! The axis decides the normal; the points come from clipping the faces that meet along it.
+//! The axis decides the normal; the points come from the faces that meet along it ([`ManifoldKind`]). Below GJK lies a
+//! choice of sub-algorithms ([`GjkKind`]). [`Methods`] holds all three choices.
 
 mod analytic;
+mod axis;
 mod box_box;
 mod cast;
-mod clip;
 mod contact;
+mod depth;
 mod epa;
 mod frame;
 mod gjk;
+mod gjk_epa;
+mod gjk_mpr;
+mod manifold;
+mod mpr;
 mod polytopes;
 mod query;
-mod reduce;
 mod sat;
 mod segment;
+mod specialised;
 #[cfg(test)]
 mod tests;
-mod witness;
+mod trace;
 
 use crate::math::{Float, Pose};
 use crate::shape::Shape;
 
 pub use cast::{CastHit, cast_proxy, shape_cast, shape_cast_proxy};
 pub use contact::{MAX_MANIFOLD_POINTS, Manifold, ManifoldPoint};
+pub use depth::DepthStatus;
+pub use gjk::GjkKind;
+pub use manifold::ManifoldKind;
 pub use query::{
-    DistanceResult, DistanceStatus, MAX_PROXY_POINTS, Proxy, distance, distance_proxy, overlap, overlap_proxy,
+    DepthResult, DistanceResult, DistanceStatus, MAX_PROXY_POINTS, Proxy, distance, distance_by,
+    distance_proxy, overlap, overlap_proxy, penetration,
 };
-pub use witness::witnesses;
+pub use trace::{MAX_TRACE_STEPS, TraceStep, distance_proxy_traced, distance_traced};
+
+use depth::Depth;
+use gjk::{Pair, Simplex};
 
 /// How manifolds between bounded shapes are found.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -54,11 +63,19 @@ pub enum NarrowPhaseKind {
     Specialised = 1,
     /// The normal of every pair without a half-space from GJK and EPA: a cross-check by another way.
     GjkEpa = 2,
+    /// The same from GJK and MPR: cheaper, but the depth need not be the least.
+    GjkMpr = 3,
 }
 
 impl NarrowPhaseKind {
     /// All kinds.
-    pub const ALL: [NarrowPhaseKind; 3] = [Self::Auto, Self::Specialised, Self::GjkEpa];
+    #[rustfmt::skip]
+    pub const ALL: [NarrowPhaseKind; 4] = [
+        Self::Auto,
+        Self::Specialised,
+        Self::GjkEpa,
+        Self::GjkMpr,
+    ];
 
     /// The name in lists and charts.
     #[must_use]
@@ -66,8 +83,42 @@ impl NarrowPhaseKind {
         match self {
             Self::Auto => "auto",
             Self::Specialised => "specialised",
-            Self::GjkEpa => "gjk-epa",
+            Self::GjkEpa => "gjk_epa",
+            Self::GjkMpr => "gjk_mpr",
         }
+    }
+}
+
+/// The choices of this room; default all auto.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Methods {
+    /// How the normal is found.
+    pub kind: NarrowPhaseKind,
+    /// How GJK, where it is asked, looks at simplices.
+    pub gjk: GjkKind,
+    /// How the points are found where faces meet. A kind that is not built counts as `Auto`.
+    pub manifold: ManifoldKind,
+}
+
+impl From<NarrowPhaseKind> for Methods {
+    fn from(kind: NarrowPhaseKind) -> Self {
+        Self { kind, ..Self::default() }
+    }
+}
+
+impl Methods {
+    /// Whether the depth comes from a search rather than from closed forms and axes.
+    #[inline]
+    fn searches_depth(self) -> bool {
+        matches!(self.kind, NarrowPhaseKind::GjkEpa | NarrowPhaseKind::GjkMpr)
+    }
+
+    /// The depth of two cores that overlap, from the simplex in which GJK found the origin.
+    #[inline]
+    fn depth(self, pair: &Pair, simplex: &Simplex) -> Depth {
+        let method: depth::Method =
+            if self.kind == NarrowPhaseKind::GjkMpr { gjk_mpr::DEPTH } else { gjk_epa::DEPTH };
+        method(pair, simplex)
     }
 }
 
@@ -91,32 +142,32 @@ enum CachedAxis {
 /// Finds the contact between A and B: points whose gap along the normal is at most `margin` \[m\] (≥ 0 keeps points
 /// that are about to touch), at most four, in the frame of A. `out.count` is 0 where there are none.
 ///
-/// The normal is the direction in which B leaves A soonest, up to the preferences in [`crate::math::tolerance`].
-/// Two half-spaces never touch.
+/// The normal is the direction in which B leaves A soonest, up to the preferences in [`crate::math::tolerance`] and to
+/// what [`NarrowPhaseKind::GjkMpr`] can find. Two half-spaces never touch.
 pub fn collide(
     a: &Shape,
     b: &Shape,
     a_from_b: &Pose,
     margin: Float,
-    kind: NarrowPhaseKind,
+    methods: Methods,
     cache: &mut Cache,
     out: &mut Manifold,
 ) {
     out.count = 0;
     // The hottest pair goes first.
     if let (Shape::Box(a), Shape::Box(b)) = (a, b)
-        && kind != NarrowPhaseKind::GjkEpa
+        && !methods.searches_depth()
     {
-        return box_box::collide(a, b, a_from_b, margin, cache, out);
+        return box_box::collide(a, b, a_from_b, margin, methods, cache, out);
     }
     // A pair below the diagonal of the table is answered by its mirror image.
     if rank(a) > rank(b) {
         let mut mirrored = cache.mirrored();
-        ordered(b, a, &a_from_b.inverse(), margin, kind, &mut mirrored, out);
+        ordered(b, a, &a_from_b.inverse(), margin, methods, &mut mirrored, out);
         *cache = mirrored.mirrored();
         out.mirror(a_from_b);
     } else {
-        ordered(a, b, a_from_b, margin, kind, cache, out);
+        ordered(a, b, a_from_b, margin, methods, cache, out);
     }
 }
 
@@ -131,36 +182,22 @@ fn rank(shape: &Shape) -> u8 {
     }
 }
 
-/// The upper half of the table.
+/// A pair on or above the diagonal of the table.
 fn ordered(
     a: &Shape,
     b: &Shape,
     pose: &Pose,
     margin: Float,
-    kind: NarrowPhaseKind,
+    methods: Methods,
     cache: &mut Cache,
     out: &mut Manifold,
 ) {
-    use Shape::{Box, Capsule, HalfSpace, Hull, Sphere};
-    let gjk = kind == NarrowPhaseKind::GjkEpa;
-    match (a, b) {
-        (HalfSpace(_), HalfSpace(_)) => {}
-        (HalfSpace(h), Sphere(s)) => analytic::half_space_sphere(h, s, pose, margin, out),
-        (HalfSpace(h), Capsule(c)) => analytic::half_space_capsule(h, c, pose, margin, out),
-        (HalfSpace(h), Box(b)) => analytic::half_space_polytope(h, b, pose, margin, out),
-        (HalfSpace(h), Hull(b)) => analytic::half_space_polytope(h, b.as_ref(), pose, margin, out),
-        (Box(a), Box(b)) => polytopes::by_gjk(a, b, pose, margin, cache, out),
-        (Box(a), Hull(b)) => polytopes::collide(a, b.as_ref(), pose, margin, gjk, cache, out),
-        (Hull(a), Hull(b)) => polytopes::collide(a.as_ref(), b.as_ref(), pose, margin, gjk, cache, out),
-        (Sphere(a), Box(b)) if !gjk => analytic::sphere_box(a, b, pose, margin, out),
-        (Sphere(a), Box(b)) => segment::sphere_polytope(a, b, pose, margin, out),
-        (Sphere(a), Hull(b)) => segment::sphere_polytope(a, b.as_ref(), pose, margin, out),
-        (Capsule(a), Box(b)) => segment::capsule_polytope(a, b, pose, margin, gjk, out),
-        (Capsule(a), Hull(b)) => segment::capsule_polytope(a, b.as_ref(), pose, margin, gjk, out),
-        (Sphere(a), Sphere(b)) => analytic::sphere_sphere(a, b, pose, margin, out),
-        (Sphere(a), Capsule(b)) => analytic::sphere_capsule(a, b, pose, margin, out),
-        (Capsule(a), Capsule(b)) => analytic::capsule_capsule(a, b, pose, margin, out),
-        _ => unreachable!("the pair is in order"),
+    match methods.kind {
+        NarrowPhaseKind::Auto | NarrowPhaseKind::Specialised => {
+            specialised::collide(a, b, pose, margin, methods, cache, out);
+        }
+        NarrowPhaseKind::GjkEpa => gjk_epa::collide(a, b, pose, margin, methods, cache, out),
+        NarrowPhaseKind::GjkMpr => gjk_mpr::collide(a, b, pose, margin, methods, cache, out),
     }
 }
 

@@ -2,10 +2,12 @@
 
 use super::analytic::closest_of_segments;
 use super::contact::{Manifold, feature};
+use super::depth::{Depth, DepthStatus};
 use super::frame::Frame;
 use super::gjk::{Pair, Status};
+use super::manifold::{self, ManifoldKind};
 use super::sat::{best_edges, best_face, edge_gap, face_gap};
-use super::{Cache, CachedAxis, clip, epa};
+use super::{Cache, CachedAxis, Methods};
 use crate::math::scalar::single;
 use crate::math::tolerance::{DEPTH_PREFERENCE, EDGE_PREFERENCE, FACE_PREFERENCE};
 use crate::math::{Float, Pose, Vec3};
@@ -17,19 +19,20 @@ const MOST_EDGE_PAIRS: usize = 1500;
 /// The number of a point that no pair of features made.
 pub(super) const FREE: u32 = feature::sliver(0x7fff, 0x7fff);
 
+/// Specialised: faces and edges, or GJK where edge pairs are too many.
 pub(super) fn collide<P: Polytope, Q: Polytope>(
     p: &P,
     q: &Q,
     pose: &Pose,
     margin: Float,
-    gjk: bool,
+    methods: Methods,
     cache: &mut Cache,
     out: &mut Manifold,
 ) {
-    if gjk || p.edge_count() * q.edge_count() > MOST_EDGE_PAIRS {
-        by_gjk(p, q, pose, margin, cache, out);
+    if p.edge_count() * q.edge_count() > MOST_EDGE_PAIRS {
+        by_gjk(p, q, pose, margin, methods, cache, out);
     } else {
-        by_sat(p, q, pose, margin, cache, out);
+        by_sat(p, q, pose, margin, methods, cache, out);
     }
 }
 
@@ -44,6 +47,7 @@ fn by_sat<P: Polytope, Q: Polytope>(
     q: &Q,
     pose: &Pose,
     margin: Float,
+    methods: Methods,
     cache: &mut Cache,
     out: &mut Manifold,
 ) {
@@ -72,7 +76,7 @@ fn by_sat<P: Polytope, Q: Polytope>(
         // Between the slivers of a bent plate, rounding can make two edges seem to face each other that do not.
         let whole = gap_of_all(p, q, &frame, edges.normal);
         if whole < edges.gap - 0.5 * edge_preference {
-            return by_gjk(p, q, pose, margin, cache, out);
+            return by_gjk(p, q, pose, margin, methods, cache, out);
         }
         cache.axis = CachedAxis::Edges(edges.a as u16, edges.b as u16);
         if whole > margin {
@@ -82,7 +86,7 @@ fn by_sat<P: Polytope, Q: Polytope>(
         let (s, t) = closest_of_segments(ea, eb);
         // Edges that are apart and pass each other beyond their ends say little: there the distance decides.
         if edges.gap > 0.0 && !(inner(s) && inner(t)) {
-            return by_gjk(p, q, pose, margin, cache, out);
+            return by_gjk(p, q, pose, margin, methods, cache, out);
         }
         out.normal = edges.normal;
         let point = (ea[0] + (ea[1] - ea[0]) * s + eb[0] + (eb[1] - eb[0]) * t) * 0.5;
@@ -92,10 +96,11 @@ fn by_sat<P: Polytope, Q: Polytope>(
     if b_is_reference {
         cache.axis = CachedAxis::FaceB(face_b as u16);
     }
-    from_face(p, q, pose, &frame, &back, if b_is_reference { Err(face_b) } else { Ok(face_a) }, margin, out);
+    let face = if b_is_reference { Err(face_b) } else { Ok(face_a) };
+    from_face(methods.manifold, p, q, pose, &frame, &back, face, margin, out);
     // The faces may pass each other sideways: a corner near a corner. Then the distance decides.
     if out.count == 0 {
-        by_gjk(p, q, pose, margin, cache, out);
+        by_gjk(p, q, pose, margin, methods, cache, out);
     }
 }
 
@@ -138,7 +143,8 @@ pub(super) fn inner(s: Float) -> bool {
 
 /// Clips against a face of A (`Ok`) or of B (`Err`).
 #[allow(clippy::too_many_arguments)]
-fn from_face<P: Polytope, Q: Polytope>(
+pub(super) fn from_face<P: Polytope, Q: Polytope>(
+    kind: ManifoldKind,
     p: &P,
     q: &Q,
     pose: &Pose,
@@ -149,15 +155,15 @@ fn from_face<P: Polytope, Q: Polytope>(
     out: &mut Manifold,
 ) {
     match face {
-        Ok(face) => clip::faces(p, q, frame, face, margin, out),
+        Ok(face) => manifold::faces(kind, p, q, frame, face, margin, out),
         Err(face) => {
-            clip::faces(q, p, back, face, margin, out);
+            manifold::faces(kind, q, p, back, face, margin, out);
             out.mirror(pose);
         }
     }
 }
 
-/// EPA gave up: its normal, or that of a face where this parts the solids sooner. The result is that of `by_gjk`:
+/// The search for the depth gave up: its normal, or that of a face where this parts the solids sooner. The result is that of `by_gjk`:
 /// the normal, the gap, and the points.
 #[cold]
 fn better_face<P: Polytope, Q: Polytope>(
@@ -165,7 +171,7 @@ fn better_face<P: Polytope, Q: Polytope>(
     q: &Q,
     pose: &Pose,
     pair: &Pair,
-    d: &epa::Depth,
+    d: &Depth,
 ) -> (Wide, f64, Wide, Wide) {
     let frame = Frame::new(pose);
     let (_, face_a) = best_face(p, q, &frame, Float::MAX);
@@ -180,12 +186,13 @@ fn better_face<P: Polytope, Q: Polytope>(
     (best.0, best.1, d.a, d.b)
 }
 
-/// The normal from GJK, or from EPA where the solids overlap; the points from the faces along it.
+/// The normal from GJK, or from EPA or MPR where the solids overlap; the points from the faces along it.
 pub(super) fn by_gjk<P: Polytope, Q: Polytope>(
     p: &P,
     q: &Q,
     pose: &Pose,
     margin: Float,
+    methods: Methods,
     cache: &mut Cache,
     out: &mut Manifold,
 ) {
@@ -198,13 +205,13 @@ pub(super) fn by_gjk<P: Polytope, Q: Polytope>(
     if remembered.is_some_and(|n| single(pair.gap_along(wide(n))) > margin) {
         return;
     }
-    let close = pair.distance(margin.max(0.0));
+    let close = pair.distance(methods.gjk, margin.max(0.0));
     let (n, gap, on_a, on_b) = match close.status {
         Status::Overlapping => {
-            let d = epa::depth(&pair, &close.simplex);
+            let d = methods.depth(&pair, &close.simplex);
             match d.status {
-                epa::Status::Limit => better_face(p, q, pose, &pair, &d),
-                epa::Status::Converged | epa::Status::Flat => (d.normal, -d.depth, d.a, d.b),
+                DepthStatus::Converged | DepthStatus::Flat => (d.normal, -d.depth, d.a, d.b),
+                _ => better_face(p, q, pose, &pair, &d),
             }
         }
         _ => (close.normal, close.distance, close.a, close.b),
@@ -225,7 +232,7 @@ pub(super) fn by_gjk<P: Polytope, Q: Polytope>(
     }
     if gap_a.max(gap_b) >= gap - edge_preference {
         let face = if b_is_reference { Err(face_b) } else { Ok(face_a) };
-        from_face(p, q, pose, &frame, &back, face, margin, out);
+        from_face(methods.manifold, p, q, pose, &frame, &back, face, margin, out);
     }
     if out.count == 0 {
         out.normal = normal;

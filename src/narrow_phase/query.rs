@@ -1,7 +1,9 @@
 //! Distance and overlap of two shapes, without a world.
 
-use super::gjk::Pair;
+use super::depth::DepthStatus;
 pub use super::gjk::Status as DistanceStatus;
+use super::gjk::{GjkKind, Pair, Simplex};
+use super::{Methods, NarrowPhaseKind};
 use crate::error::{Error, ErrorCode, Result, check};
 use crate::math::scalar::{double, single};
 use crate::math::{Aabb, Float, Pose, Vec3};
@@ -21,6 +23,23 @@ pub struct DistanceResult {
     /// How the search ended.
     pub status: DistanceStatus,
     /// How many iterations it took.
+    pub iterations: u32,
+}
+
+/// How deep two shapes overlap, in the frame of A.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DepthResult {
+    /// How far B must move along the normal to leave A \[m\]; negative where they are apart by that distance.
+    pub depth: Float,
+    /// The unit vector from A to B.
+    pub normal: Vec3,
+    /// A point on the surface of A, and one on that of B \[m\].
+    pub point_a: Vec3,
+    /// See `point_a`.
+    pub point_b: Vec3,
+    /// How the search ended.
+    pub status: DepthStatus,
+    /// How many iterations the search for the depth took, GJK's not counted.
     pub iterations: u32,
 }
 
@@ -66,6 +85,12 @@ impl<'a> Proxy<'a> {
 /// The distance between A and B. Two half-spaces count as overlapping.
 #[must_use]
 pub fn distance(a: &Shape, b: &Shape, a_from_b: &Pose) -> DistanceResult {
+    distance_by(a, b, a_from_b, GjkKind::Auto)
+}
+
+/// The same by this sub-algorithm.
+#[must_use]
+pub fn distance_by(a: &Shape, b: &Shape, a_from_b: &Pose, gjk: GjkKind) -> DistanceResult {
     match (a, b) {
         (Shape::HalfSpace(_), Shape::HalfSpace(_)) => overlapping(Vec3::zeros()),
         (Shape::HalfSpace(h), _) => above_half_space(h, b, a_from_b),
@@ -78,14 +103,40 @@ pub fn distance(a: &Shape, b: &Shape, a_from_b: &Pose) -> DistanceResult {
                 ..d
             }
         }
-        _ => distance_cores(&core(a), &core(b), a_from_b),
+        _ => distance_cores(&core(a), &core(b), a_from_b, gjk, |_| {}),
     }
 }
 
 /// The distance between two proxies.
 #[must_use]
 pub fn distance_proxy(a: &Proxy, b: &Proxy, a_from_b: &Pose) -> DistanceResult {
-    distance_cores(&a.core, &b.core, a_from_b)
+    distance_cores(&a.core, &b.core, a_from_b, GjkKind::Auto, |_| {})
+}
+
+/// How deep two bounded shapes overlap, by GJK and MPR for [`NarrowPhaseKind::GjkMpr`] and by GJK and EPA else;
+/// `None` for half-spaces.
+#[must_use]
+pub fn penetration(a: &Shape, b: &Shape, a_from_b: &Pose, kind: NarrowPhaseKind) -> Option<DepthResult> {
+    let (ca, cb) = (a.core()?, b.core()?);
+    let (ra, rb) = (double(ca.radius), double(cb.radius));
+    let pair = Pair::new(ca.points, cb.points, a_from_b);
+    let close = pair.distance(GjkKind::Auto, Float::MAX);
+    let (depth, normal, on_a, on_b, status, iterations) = if close.status == DistanceStatus::Overlapping {
+        let d = Methods::from(kind).depth(&pair, &close.simplex);
+        (d.depth, d.normal, d.a, d.b, d.status, d.iterations)
+    } else {
+        let apart = close.distance > ra + rb;
+        let status = if apart { DepthStatus::Apart } else { DepthStatus::Converged };
+        (-close.distance, close.normal, close.a, close.b, status, 0)
+    };
+    Some(DepthResult {
+        depth: single(depth + ra + rb),
+        normal: narrow(normal),
+        point_a: narrow(on_a + normal * ra),
+        point_b: narrow(on_b - normal * rb),
+        status,
+        iterations,
+    })
 }
 
 /// Whether A and B have a point in common; cheaper than the distance. Two half-spaces count as overlapping.
@@ -108,7 +159,7 @@ pub fn overlap_proxy(a: &Shape, b: &Proxy, a_from_b: &Pose) -> bool {
 
 fn overlap_cores(a: &Core, b: &Core, pose: &Pose) -> bool {
     let reach = a.radius + b.radius;
-    let close = Pair::new(a.points, b.points, pose).distance(reach);
+    let close = Pair::new(a.points, b.points, pose).distance(GjkKind::Auto, reach);
     match close.status {
         DistanceStatus::Beyond => false,
         DistanceStatus::Overlapping => true,
@@ -132,8 +183,14 @@ fn overlapping(point: Vec3) -> DistanceResult {
     }
 }
 
-fn distance_cores(a: &Core, b: &Core, pose: &Pose) -> DistanceResult {
-    let close = Pair::new(a.points, b.points, pose).distance(Float::MAX);
+pub(super) fn distance_cores(
+    a: &Core,
+    b: &Core,
+    pose: &Pose,
+    gjk: GjkKind,
+    trace: impl FnMut(&Simplex),
+) -> DistanceResult {
+    let close = Pair::new(a.points, b.points, pose).traced(gjk, Float::MAX, trace);
     let (ra, rb) = (double(a.radius), double(b.radius));
     let (on_a, on_b) = (close.a + close.normal * ra, close.b - close.normal * rb);
     let gap = single(close.distance - ra - rb);

@@ -1,10 +1,10 @@
 //! A sphere or a capsule A against a solid with flat faces B. Everything is computed in the frame of B, where the
 //! faces are; the result is turned to the frame of A at the end.
 
+use super::Methods;
 use super::analytic::{CROSSING, FLUSH, closest_of_segments};
 use super::contact::{Manifold, feature};
-use super::epa;
-use super::gjk::{Pair, Status};
+use super::gjk::{GjkKind, Pair, Status};
 use crate::math::scalar::single;
 use crate::math::tolerance::{DEPTH_PREFERENCE, EDGE_PREFERENCE, PARALLEL_SINE};
 use crate::math::{Float, Pose, Vec3, length, length_squared};
@@ -24,6 +24,7 @@ pub(super) fn sphere_polytope<P: Polytope>(
     b: &P,
     pose: &Pose,
     margin: Float,
+    gjk: GjkKind,
     out: &mut Manifold,
 ) {
     let center = pose.point_back(a.center());
@@ -42,7 +43,7 @@ pub(super) fn sphere_polytope<P: Polytope>(
         (b.plane(face).0, top)
     } else {
         let pair = Pair::new(CorePoints::One(center), b.core_points(), &Pose::IDENTITY);
-        let close = pair.distance(a.radius() + margin);
+        let close = pair.distance(gjk, a.radius() + margin);
         match close.status {
             Status::Beyond => return,
             Status::Overlapping => (b.plane(face).0, top),
@@ -79,12 +80,12 @@ pub(super) fn capsule_polytope<P: Polytope>(
     b: &P,
     pose: &Pose,
     margin: Float,
-    gjk: bool,
+    methods: Methods,
     out: &mut Manifold,
 ) {
     let ends = [pose.point_back(a.center1()), pose.point_back(a.center2())];
     let reach = a.radius() + margin;
-    let Some(axis) = over_face(ends, b).or_else(|| closest_axis(ends, b, reach, gjk)) else { return };
+    let Some(axis) = over_face(ends, b).or_else(|| closest_axis(ends, b, reach, methods)) else { return };
     if axis.gap > reach {
         return;
     }
@@ -127,14 +128,14 @@ fn over_face<P: Polytope>(ends: [Vec3; 2], b: &P) -> Option<Axis> {
     Some(Axis { outward, gap, on_segment: ends[lower] })
 }
 
-/// The axis from GJK; where the segment pierces the solid, from its faces and edges, or from EPA.
-fn closest_axis<P: Polytope>(ends: [Vec3; 2], b: &P, reach: Float, gjk: bool) -> Option<Axis> {
+/// The axis from GJK; where the segment pierces the solid, from its faces and edges, or from EPA or MPR.
+fn closest_axis<P: Polytope>(ends: [Vec3; 2], b: &P, reach: Float, methods: Methods) -> Option<Axis> {
     let pair = Pair::new(CorePoints::Two(ends), b.core_points(), &Pose::IDENTITY);
-    let close = pair.distance(reach);
+    let close = pair.distance(methods.gjk, reach);
     Some(match close.status {
         Status::Beyond => return None,
-        Status::Overlapping if gjk => {
-            let d = epa::depth(&pair, &close.simplex);
+        Status::Overlapping if methods.searches_depth() => {
+            let d = methods.depth(&pair, &close.simplex);
             Axis { outward: -narrow(d.normal), gap: single(-d.depth), on_segment: narrow(d.a) }
         }
         Status::Overlapping => deep_axis(ends, b, narrow(close.a)),

@@ -272,7 +272,7 @@ impl World {
             &b.collider.shape,
             &a_from_b,
             margin,
-            self.def.narrow_phase,
+            self.def.methods(),
             cache,
             &mut manifold,
         );

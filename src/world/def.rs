@@ -4,7 +4,7 @@ use crate::broad_phase::BroadPhaseKind;
 use crate::error::{Error, ErrorCode, Result, check};
 use crate::integrate::IntegratorKind;
 use crate::math::{Float, Quat, Vec3, vec3};
-use crate::narrow_phase::NarrowPhaseKind;
+use crate::narrow_phase::{GjkKind, ManifoldKind, Methods, NarrowPhaseKind};
 use crate::solver::{Lanes, SolverKind};
 
 /// How a body moves.
@@ -72,6 +72,10 @@ pub struct WorldDef {
     pub broad_phase: BroadPhaseKind,
     /// The narrow phase; default auto.
     pub narrow_phase: NarrowPhaseKind,
+    /// How GJK looks at simplices, where the narrow phase asks it; default auto.
+    pub gjk: GjkKind,
+    /// How contact points are found where faces meet; default auto.
+    pub manifold: ManifoldKind,
     /// How many constraints are solved side by side; every width gives the same bits. Default auto.
     pub lanes: Lanes,
     /// Anything.
@@ -97,6 +101,8 @@ impl Default for WorldDef {
             integrator: IntegratorKind::Auto,
             broad_phase: BroadPhaseKind::Auto,
             narrow_phase: NarrowPhaseKind::Auto,
+            gjk: GjkKind::Auto,
+            manifold: ManifoldKind::Auto,
             lanes: Lanes::Auto,
             user_data: 0,
         }
@@ -104,6 +110,11 @@ impl Default for WorldDef {
 }
 
 impl WorldDef {
+    /// The choices of the narrow phase.
+    pub(crate) fn methods(&self) -> Methods {
+        Methods { kind: self.narrow_phase, gjk: self.gjk, manifold: self.manifold }
+    }
+
     /// Checks every field.
     pub fn validate(&self) -> Result<()> {
         check::finite_vec("gravity", self.gravity)?;
@@ -117,6 +128,12 @@ impl WorldDef {
             return Err(Error::new(
                 ErrorCode::Unsupported,
                 "worker_count must be 1: more threads are not built yet.",
+            ));
+        }
+        if !self.manifold.is_built() {
+            return Err(Error::new(
+                ErrorCode::Unsupported,
+                "This library was built without the feature clipper2: manifold must be another kind.",
             ));
         }
         if check::not_negative("accuracy", self.accuracy)? != 0.0 {

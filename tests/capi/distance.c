@@ -10,7 +10,8 @@ int main(void)
     mvDistanceInput input;
     mvDistanceOutput d;
     mvSimplexCache cache = { 0, 0, { 0 }, { 0 } };
-    mvSimplex simplex;
+    mvSimplex simplex, trace[65];
+    mvGjkKind gjk;
     mvBoxHull box = mvMakeBoxHull(1, 1, 1);
     mvSphere ball = { { 0, 0, 0 }, 1 };
     mvCapsule pill = { { 0, -1, 0 }, { 0, 1, 0 }, (mvFloat)0.5 };
@@ -40,6 +41,7 @@ int main(void)
     input.proxyB = point;
     input.transform = mvTransform_identity;
     input.useRadii = true;
+    input.gjk = mv_gjk_auto;
     d = mvShapeDistance(&input, &cache, &simplex, 1);
     CHECK(near(d.distance, 2, tiny) && nearVec(d.normal, mvVec3_axisX, tiny) && d.simplexCount == 1);
     CHECK(nearVec(d.pointB, vec(3, 0, 0), tiny) && near(d.pointA.x, 1, tiny));
@@ -49,6 +51,15 @@ int main(void)
         CHECK(nearVec(simplex.vertices[i].wA, boxPoints[simplex.vertices[i].indexA], tiny));
         CHECK(nearVec(simplex.vertices[i].w, mvSub(simplex.vertices[i].wB, simplex.vertices[i].wA), tiny));
     }
+    for (gjk = mv_gjk_auto; gjk <= mv_gjk_johnson; ++gjk)
+    {
+        input.gjk = gjk;
+        d = mvShapeDistance(&input, NULL, trace, 65);
+        CHECK(near(d.distance, 2, tiny) && d.simplexCount >= 1 && d.simplexCount <= 65);
+        CHECK(mvLength(trace[d.simplexCount - 1].vertices[0].w) >= 2);
+    }
+    FAILS(mv_errorRange, mvShapeDistance, mvShapeDistance((input.gjk = 99, &input), NULL, NULL, 0));
+    input.gjk = mv_gjk_auto;
     input.useRadii = false;
     CHECK(near(mvShapeDistance(&input, NULL, NULL, 0).distance, 3, tiny));
     input.transform.p.x = -4;

@@ -61,6 +61,9 @@ static void definitions(void)
     bad.integrator = 5;
     FAILS(mv_errorRange, mvCreateWorld, mvCreateWorld(&bad));
     bad = def;
+    bad.gjk = 5;
+    FAILS(mv_errorRange, mvCreateWorld, mvCreateWorld(&bad));
+    bad = def;
     bad.manifold = 5;
     FAILS(mv_errorRange, mvCreateWorld, mvCreateWorld(&bad));
     bad = def;
@@ -71,7 +74,11 @@ static void definitions(void)
     CHECK(strcmp(mvGetBroadPhaseKindName(mv_broadPhase_auto), "auto") == 0);
     CHECK(strcmp(mvGetNarrowPhaseKindName(mv_narrowPhase_auto), "auto") == 0);
     CHECK(strcmp(mvGetIntegratorKindName(mv_integrator_auto), "auto") == 0);
+    CHECK(strcmp(mvGetNarrowPhaseKindName(mv_narrowPhase_gjkMpr), "gjk_mpr") == 0);
+    CHECK(strcmp(mvGetGjkKindName(mv_gjk_cutSpace), "cut_space") == 0);
     CHECK(strcmp(mvGetManifoldKindName(mv_manifold_auto), "auto") == 0);
+    CHECK(strcmp(mvGetManifoldKindName(mv_manifold_clipper2), "clipper2") == 0);
+    FAILS(mv_errorRange, mvGetGjkKindName, CHECK(mvGetGjkKindName(99) == NULL));
     FAILS(mv_errorRange, mvGetSolverKindName, CHECK(mvGetSolverKindName(99) == NULL));
 }
 

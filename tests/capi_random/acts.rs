@@ -458,8 +458,13 @@ pub const ACTS: &[Act] = &[
         with_proxy(s, |s, proxy| {
             let other = *proxy.unwrap_or(&mine);
             let most = s.r.size();
-            let input =
-                mvDistanceInput { proxy_a: mine, proxy_b: other, transform: t, use_radii: s.r.flag() };
+            let input = mvDistanceInput {
+                proxy_a: mine,
+                proxy_b: other,
+                transform: t,
+                use_radii: s.r.flag(),
+                gjk: s.r.below(6) as i32,
+            };
             let cast = mvShapeCastInput { proxy: other, translation: v, max_fraction: most, can_encroach: 0 };
             let pair = mvShapeCastPairInput {
                 proxy_a: mine,

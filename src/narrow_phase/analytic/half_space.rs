@@ -3,7 +3,7 @@
 use crate::math::{Float, Pose, Vec3};
 use crate::narrow_phase::contact::{Manifold, feature};
 use crate::narrow_phase::frame::Frame;
-use crate::narrow_phase::reduce::{Candidate, reduce};
+use crate::narrow_phase::manifold::reduce::{Candidate, reduce};
 use crate::shape::{Capsule, HalfSpace, Polytope, Sphere};
 
 /// Adds the contact of a ball of B at `p` (in the frame of A).

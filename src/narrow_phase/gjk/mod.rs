@@ -1,21 +1,79 @@
-//! The distance between two cores: GJK (Gilbert, Johnson & Keerthi 1988) with the signed-volumes sub-algorithm
-//! (Montanari, Petrinic & Barbieri 2017).
+//! The distance between two cores: GJK (Gilbert, Johnson & Keerthi 1988). One loop, one rule for its end, and a choice
+//! of sub-algorithms that find the point of a simplex closest to the origin.
+//!
+//! | kind | idea | paper | cost | when to pick it | where it fails |
+//! |---|---|---|---|---|---|
+//! | [`Barycentric`](GjkKind::Barycentric) | a linear system for the coordinates, recursion over faces | the thesis, 5.2.1 | slowest | as the oracle | nowhere seen; slow |
+//! | [`CutSpace`](GjkKind::CutSpace) | in which Voronoi region is the origin? | the thesis, 5.2.2; Ericson 2005 | least | round and compact shapes | areas of slivers are rounding |
+//! | [`SignedVolumes`](GjkKind::SignedVolumes) | signs of volumes, seen in the best coordinate plane | Montanari, Petrinic & Barbieri 2017 | low | always: this is `Auto` | – |
+//! | [`Johnson`](GjkKind::Johnson) | cofactors of all faces, from small to large | Gilbert, Johnson & Keerthi 1988 | medium | to compare with older work | flat and thin simplices |
 //!
 //! Points and directions here are double in both builds. The differences of f32 coordinates are exact in double,
 //! so that the sub-algorithm has digits to spare where plates, needles and thin gaps leave none in f32; the cost
 //! is next to nothing, since the work is scalar.
 
+mod barycentric;
+mod cut_space;
+mod johnson;
+mod signed_volumes;
 mod simplex;
+#[cfg(test)]
+mod tests;
 
 use crate::math::scalar::double;
 use crate::math::tolerance::{GJK_PROGRESS, GJK_TOUCH};
 use crate::math::{Float, Pose};
 use crate::shape::{CorePoints, Wide, wide};
-use simplex::largest;
+use barycentric::Barycentric;
+use cut_space::CutSpace;
+use johnson::Johnson;
+use signed_volumes::SignedVolumes;
 pub(super) use simplex::{Simplex, Vertex};
+use simplex::{SubAlgorithm, largest};
 
 /// More iterations than any pair of shapes needs (the worst seen in fuzzing is below 40).
 const MAX_ITERATIONS: u32 = 64;
+
+/// How the point of a simplex closest to the origin is found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[repr(i32)]
+pub enum GjkKind {
+    /// Whatever is best: today the same as `SignedVolumes`.
+    #[default]
+    Auto = 0,
+    /// A linear system for barycentric coordinates, with recursion over the faces: slow, the oracle.
+    Barycentric = 1,
+    /// The Voronoi regions of vertices, edges and faces.
+    CutSpace = 2,
+    /// Signs of volumes.
+    SignedVolumes = 3,
+    /// Cofactors, with a backup procedure.
+    Johnson = 4,
+}
+
+impl GjkKind {
+    /// All kinds.
+    #[rustfmt::skip]
+    pub const ALL: [GjkKind; 5] = [
+        Self::Auto,
+        Self::Barycentric,
+        Self::CutSpace,
+        Self::SignedVolumes,
+        Self::Johnson,
+    ];
+
+    /// The name in lists and charts.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::Barycentric => "barycentric",
+            Self::CutSpace => "cut_space",
+            Self::SignedVolumes => "signed_volumes",
+            Self::Johnson => "johnson",
+        }
+    }
+}
 
 /// The ways out of GJK.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -33,6 +91,31 @@ pub enum Status {
     Beyond = 4,
     /// Too many iterations: the distance is an upper bound.
     IterationLimit = 5,
+}
+
+impl Status {
+    /// All ways out.
+    pub const ALL: [Status; 6] = [
+        Self::Converged,
+        Self::Repeated,
+        Self::Stalled,
+        Self::Overlapping,
+        Self::Beyond,
+        Self::IterationLimit,
+    ];
+
+    /// The name in lists and charts.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Converged => "converged",
+            Self::Repeated => "repeated",
+            Self::Stalled => "stalled",
+            Self::Overlapping => "overlapping",
+            Self::Beyond => "beyond",
+            Self::IterationLimit => "iteration_limit",
+        }
+    }
 }
 
 /// Two cores, B seen from A.
@@ -106,19 +189,43 @@ impl<'a> Pair<'a> {
         -n.dot(&self.support(n).w)
     }
 
-    /// A first guess: from the middle of B to that of A.
+    /// A point of the difference, well inside for all cores but clouds: from the middle of B to that of A.
+    #[inline]
+    pub fn between_centers(&self) -> Wide {
+        wide(self.a.center()) - (self.rotation * wide(self.b.center()) + self.position)
+    }
+
+    /// A first guess.
     fn start(&self) -> Wide {
-        let d = wide(self.a.center()) - (self.rotation * wide(self.b.center()) + self.position);
+        let d = self.between_centers();
         if d.dot(&d) > 0.0 { d } else { Wide::y() }
     }
 
     /// The distance of the cores; gives up with `Beyond` once it is known to be more than `limit`.
-    pub fn distance(&self, limit: Float) -> Closest {
+    #[inline]
+    pub fn distance(&self, kind: GjkKind, limit: Float) -> Closest {
+        self.traced(kind, limit, |_| {})
+    }
+
+    /// The same; `trace` sees each simplex, reduced to what carries its closest point. Costs nothing where it does
+    /// nothing.
+    #[inline]
+    pub fn traced(&self, kind: GjkKind, limit: Float, trace: impl FnMut(&Simplex)) -> Closest {
+        match kind {
+            GjkKind::Auto | GjkKind::SignedVolumes => self.search::<SignedVolumes>(limit, trace),
+            GjkKind::Barycentric => self.search::<Barycentric>(limit, trace),
+            GjkKind::CutSpace => self.search::<CutSpace>(limit, trace),
+            GjkKind::Johnson => self.search::<Johnson>(limit, trace),
+        }
+    }
+
+    fn search<S: SubAlgorithm>(&self, limit: Float, mut trace: impl FnMut(&Simplex)) -> Closest {
         let limit = double(limit);
         let mut simplex = Simplex::default();
         let mut v = self.start();
         simplex.push(self.support(-v));
-        v = simplex.reduce();
+        v = simplex.reduce::<S>();
+        trace(&simplex);
         let mut scale = simplex.scale();
         let (mut status, mut iterations) = (Status::IterationLimit, 0);
         while iterations < MAX_ITERATIONS {
@@ -147,7 +254,8 @@ impl<'a> Pair<'a> {
             }
             let before = simplex;
             simplex.push(w);
-            let next = simplex.reduce();
+            let next = simplex.reduce::<S>();
+            trace(&simplex);
             if simplex.len() == 4 {
                 status = Status::Overlapping;
                 break;

@@ -3,6 +3,7 @@
 use crate::error::{Error, ErrorCode, Result, check, expect};
 use crate::integrate::IntegratorKind;
 use crate::math::{Float, Vec3, vec3};
+use crate::narrow_phase::{GjkKind, ManifoldKind, NarrowPhaseKind};
 use crate::world::{Identity, SurfaceMaterial, World, WorldDef};
 
 /// What a world can be made from: a [`WorldConfig`], or a reference to a [`WorldDef`].
@@ -300,6 +301,25 @@ impl WorldBuilder {
         self.with(|config| config.friction = friction)
     }
 
+    /// The narrow phase.
+    pub fn narrow_phase(mut self, kind: NarrowPhaseKind) -> Self {
+        self.methods.narrow_phase = kind;
+        self
+    }
+
+    /// How GJK looks at simplices.
+    pub fn gjk(mut self, kind: GjkKind) -> Self {
+        self.methods.gjk = kind;
+        self
+    }
+
+    /// How contact points are found where faces meet. [`build`](Self::build) fails where the library was built
+    /// without the kind.
+    pub fn manifold(mut self, kind: ManifoldKind) -> Self {
+        self.methods.manifold = kind;
+        self
+    }
+
     /// Makes the world.
     ///
     /// # Panics
@@ -313,7 +333,7 @@ impl WorldBuilder {
     /// Makes the world.
     ///
     /// # Errors
-    /// None today: every setting was checked when it was given.
+    /// Unsupported: the library was built without the kind of manifold. All else was checked when it was given.
     pub fn try_build(self) -> Result<World> {
         self.config.carry_out_by(self.methods)
     }

@@ -1,11 +1,11 @@
 //! From all points of a clipped face to the four that matter.
 
-use super::contact::{MAX_MANIFOLD_POINTS, Manifold, ManifoldPoint, feature};
 use crate::math::tolerance::EQUAL_DEPTH;
 use crate::math::{Float, any_tangent, length_squared};
+use crate::narrow_phase::contact::{MAX_MANIFOLD_POINTS, Manifold, ManifoldPoint, feature};
 
 /// A point that may enter the manifold.
-pub(super) type Candidate = ManifoldPoint;
+pub(in crate::narrow_phase) type Candidate = ManifoldPoint;
 
 /// A later candidate must be better by this factor, so that rounding does not choose among equals.
 const CLEARLY: Float = 1.001;
@@ -13,7 +13,7 @@ const CLEARLY: Float = 1.001;
 /// Fills `out`, whose normal is set, with at most four of `all`: one of the deepest, the farthest from it, and on
 /// either side of their line the one that spans the larger triangle. Where several are deepest, the one farthest
 /// along a fixed tangent is taken, so that the choice survives the rounding of the next step.
-pub(super) fn reduce(all: &[Candidate], out: &mut Manifold) {
+pub(in crate::narrow_phase) fn reduce(all: &[Candidate], out: &mut Manifold) {
     if all.len() <= MAX_MANIFOLD_POINTS {
         out.points[..all.len()].copy_from_slice(all);
         out.count = all.len();

@@ -1,19 +1,15 @@
 //! Clipping the incident face against the sides of the reference face (Sutherland & Hodgman 1974), with labels that
 //! tell afterwards which features made each corner.
 
-use super::contact::{Manifold, feature};
-use super::frame::Frame;
+use super::FLUSH;
 use super::reduce::{Candidate, reduce};
 use crate::math::{Float, Vec3, length_squared};
+use crate::narrow_phase::contact::{Manifold, feature};
+use crate::narrow_phase::frame::Frame;
 use crate::shape::Polytope;
 
 /// Set in the label of an edge that lies on a side of the reference face; the rest is the number within the loop.
 const REFERENCE: u16 = 1 << 15;
-
-/// By what share of the thinner shape's inner radius a corner may stand outside a side and still count as inside.
-/// Boxes of equal size lie exactly on top of each other all the time: without this, rounding would decide in each
-/// step anew whether a corner belongs to the one or the other.
-pub(super) const FLUSH: Float = 1e-4;
 
 /// A convex polygon with a label for the edge that leaves each corner.
 struct Polygon<const N: usize> {
@@ -72,8 +68,8 @@ impl<const N: usize> Polygon<N> {
     }
 }
 
-/// Fills `out` with the contact of face `face` of `p` with the face of `q` that looks at it most, in the frame of
-/// `p`: `p` is A and `q` is B.
+/// See [`faces`](super::faces).
+#[inline]
 pub(super) fn faces<P: Polytope, Q: Polytope>(
     p: &P,
     q: &Q,
