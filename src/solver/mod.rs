@@ -5,7 +5,11 @@
 //! | [`soft_step`] | sub-steps instead of iterations: soft contacts with a relax pass, load memory | Catto, "Solver2D" (2024); load memory is our own | two sweeps over the rows a sub-step | always, so far | very tall stacks and load ratios above 1000 settle slowly |
 
 pub mod bodies;
+pub mod contact_problem;
+pub mod dantzig;
+pub mod lemke;
 mod passes;
+pub mod proximal_admm;
 pub mod rows;
 pub mod soft_step;
 
