@@ -4,6 +4,7 @@ use super::World;
 use crate::body::SetId;
 use crate::constraint::contact::flags;
 use crate::math::{Float, Quat, Vec3, scalar::double};
+use crate::solver::SolveReport;
 
 /// Milliseconds of the last step, by stage. Differs from run to run and is no part of the state.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -79,6 +80,8 @@ pub struct StepReport {
     pub sub_steps: u32,
     /// Steps so far.
     pub steps: u64,
+    /// How the solver fared in the last step.
+    pub solve: SolveReport,
     /// Bodies put to rest because their state stopped being finite.
     pub quarantined: u64,
     /// How much there is of everything.
@@ -167,6 +170,7 @@ impl World {
             residual,
             sub_steps: self.last_sub_steps,
             steps: self.counts.steps,
+            solve: self.work.report,
             quarantined: self.counts.quarantined,
             counters: self.counters(),
             profile: self.profile,

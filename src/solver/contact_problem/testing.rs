@@ -156,8 +156,8 @@ pub fn oracle(problem: &ContactProblem, c: &[f64], rule: &Rule<'_>) -> (Vec<f64>
     let scale: Vec<f64> = (0..n).map(|i| 1.0 / problem.mobility(i / 3).max(1e-300).sqrt()).collect();
     let size = c.iter().enumerate().fold(0.0, |m: f64, (i, v)| m.max((v * scale[i]).abs())).max(1e-300);
     // Rows g x ≤ h (or in a cone) as triples.
-    let (mut rows, mut h, mut cones): (Vec<(usize, usize, f64)>, Vec<f64>, Vec<SupportedConeT<f64>>) =
-        Default::default();
+    let (mut rows, mut h) = (Vec::<(usize, usize, f64)>::new(), Vec::<f64>::new());
+    let mut cones = Vec::<SupportedConeT<f64>>::new();
     for k in 0..count {
         let (s, mu) = (scale[3 * k], problem.friction(k));
         match rule {

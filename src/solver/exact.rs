@@ -1,0 +1,171 @@
+//! The exact solvers in the engine: every island of contacts is one dense problem in double precision
+//! ([`super::contact_problem`]), handed to [`lemke`], [`dantzig`] or [`proximal_admm`].
+//!
+//! Islands with more points than a method is meant for, and problems that a method leaves without a usable solution,
+//! are done by [`FALLBACK_SWEEPS`] sweeps of projected Gauss–Seidel instead: both are counted in the
+//! [`SolveReport`](super::SolveReport).
+
+use super::bodies::Bodies;
+use super::contact_problem::{ContactProblem, IMMOVABLE, Mass, Outcome, PointArms, Status, V, three};
+use super::dantzig::Dantzig;
+use super::lemke::Lemke;
+use super::points::{Point, Points, apply, impulse, relative};
+use super::proximal_admm::{Options, ProximalAdmm};
+use super::{Settings, SolveReport, SolverKind, SubStep};
+use crate::body::BodyStore;
+use crate::constraint::ContactStore;
+use crate::math::Vec3;
+use crate::math::scalar::{double, single};
+use std::ops::Range;
+
+/// Sweeps over an island that its solver did not solve.
+pub const FALLBACK_SWEEPS: u32 = 64;
+
+/// Sweeps that push overlap out.
+const PUSH_SWEEPS: u32 = 10;
+
+/// More points than any of the methods takes: the matrix is not even made.
+const GREATEST_COUNT: usize = 1000;
+
+/// What ADMM aims at, as a share of the greatest free velocity, in so many iterations.
+const ADMM: Options = Options { iterations: 1000, tolerance: 1e-7, corrected: true };
+
+/// Memory that is kept between steps.
+#[derive(Debug, Default)]
+pub struct Workspace {
+    problem: ContactProblem,
+    arms: Vec<PointArms>,
+    masses: Vec<Mass>,
+    lambda: Vec<f64>,
+    lemke: Lemke,
+    dantzig: Dantzig,
+    admm: ProximalAdmm,
+}
+
+impl Workspace {
+    /// Bytes held by the matrices of the problem.
+    #[must_use]
+    pub fn byte_count(&self) -> usize {
+        self.problem.w.capacity() * 8 + self.arms.capacity() * size_of::<PointArms>()
+    }
+
+    /// Takes every batch through its sub-steps.
+    pub fn solve(
+        &mut self,
+        points: &mut Points,
+        rows: &mut Bodies,
+        bodies: &BodyStore,
+        contacts: &mut ContactStore,
+        settings: &Settings,
+        report: &mut SolveReport,
+    ) {
+        let sub = settings.sub_step();
+        for batch in 0..rows.batches.len() {
+            for k in 0..settings.sub_steps {
+                let last = k + 1 == settings.sub_steps;
+                self.sub_step(points, rows, bodies, batch, last, &sub, settings, report);
+            }
+        }
+        points.store(contacts);
+    }
+
+    #[expect(clippy::too_many_arguments, reason = "what a sub-step is made of")]
+    fn sub_step(
+        &mut self,
+        points: &mut Points,
+        rows: &mut Bodies,
+        bodies: &BodyStore,
+        batch: usize,
+        last: bool,
+        sub: &SubStep,
+        settings: &Settings,
+        report: &mut SolveReport,
+    ) {
+        let range = points.range(rows, batch);
+        points.begin(rows, batch, sub);
+        rows.apply_forces(batch, true, sub, settings);
+        for place in rows.batches[batch].islands.clone() {
+            let island = points.of_island[place].clone();
+            if island.is_empty() {
+                continue;
+            }
+            let outcome = self.solve_island(&points.points[island.clone()], rows, place, settings);
+            report.count(outcome.status);
+            if outcome.status.is_usable() {
+                for (k, p) in points.points[island].iter_mut().enumerate() {
+                    let l = three(&self.lambda, k);
+                    p.lambda = [single(l.x), single(l.y), single(l.z)];
+                    apply(&mut rows.rows, p, impulse(p, p.lambda));
+                }
+            } else {
+                points.warm_start(rows, island.clone(), settings.warm_starting);
+                for _ in 0..FALLBACK_SWEEPS {
+                    points.sweep(rows, island.clone());
+                }
+            }
+        }
+        if last {
+            report.measure(points.residual(rows, range.clone()));
+        }
+        rows.keep_angular_momentum(batch, false);
+        rows.move_bodies(batch, bodies, sub);
+        points.push_out(rows, bodies, batch, PUSH_SWEEPS, sub, settings);
+        rows.carry_over(batch, bodies);
+        points.close(range);
+        rows.keep_angular_momentum(batch, true);
+    }
+
+    /// States the problem of one island and solves it; impulses are left in `lambda`.
+    fn solve_island(
+        &mut self,
+        points: &[Point],
+        rows: &Bodies,
+        place: usize,
+        settings: &Settings,
+    ) -> Outcome {
+        if points.len() > GREATEST_COUNT {
+            return Outcome::refused(Status::TooLarge);
+        }
+        let own = rows.islands[place].rows.clone();
+        self.masses.clear();
+        self.masses.extend(own.clone().map(|i| {
+            let [[xx, xy, xz, yy], [yz, zz, ..]] = rows.rows.inertia[i].0;
+            Mass {
+                inv_mass: double(rows.rows.row[i].inv_mass()),
+                inv_inertia: [xx, xy, xz, yy, yz, zz].map(double),
+            }
+        }));
+        self.arms.clear();
+        self.arms.extend(points.iter().map(|p| arms_of(p, &own)));
+        self.problem.assemble(&self.arms, &self.masses);
+        self.lambda.clear();
+        for (k, p) in points.iter().enumerate() {
+            let v = relative(&rows.rows, p);
+            for i in 0..3 {
+                self.problem.b[3 * k + i] = double(v.dot(&p.axes[i])) - double(p.target[i]);
+            }
+            self.problem.mu[k] = double(p.coefficient());
+            let keep = settings.warm_starting && !p.bounces;
+            self.lambda.extend(p.lambda.map(|l| if keep { double(l) } else { 0.0 }));
+        }
+        let facets = settings.friction_facets as usize;
+        match settings.solver {
+            SolverKind::Lemke => self.lemke.solve(&self.problem, facets, &mut self.lambda),
+            SolverKind::Dantzig => self.dantzig.solve(&self.problem, facets, &mut self.lambda),
+            _ => self.admm.solve(&self.problem, &ADMM, &mut self.lambda),
+        }
+    }
+}
+
+/// A point in double precision, with its bodies' places in the island.
+fn arms_of(p: &Point, island: &Range<usize>) -> PointArms {
+    let wide = |v: Vec3| V::new(double(v.x), double(v.y), double(v.z));
+    PointArms {
+        bodies: p.rows.map(|r| {
+            let r = r as usize;
+            if island.contains(&r) { r - island.start } else { IMMOVABLE }
+        }),
+        axes: p.axes.map(wide),
+        arms: p.arms.map(wide),
+    }
+}
