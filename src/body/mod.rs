@@ -96,6 +96,8 @@ pub struct Body {
     pub shapes: Vec<u32>,
     /// Its contacts (indices of contacts), unordered.
     pub contacts: Vec<u32>,
+    /// Its joints (indices of joints), unordered.
+    pub joints: Vec<u32>,
     /// The island of an awake or sleeping dynamic body, or [`NONE`].
     pub island: u32,
     /// Its place in the island's list of bodies.

@@ -190,6 +190,7 @@ impl BodyStore {
             body_type: def.body_type,
             shapes: Vec::new(),
             contacts: Vec::new(),
+            joints: Vec::new(),
             island: NONE,
             island_place: NONE,
             mass_override: false,

@@ -1,7 +1,7 @@
 //! Events: what happened in the last step. Lists are sorted, and valid until the next step.
 
 use crate::math::{Float, Pose, Vec3};
-use crate::world::{BodyId, ContactId, ShapeId};
+use crate::world::{BodyId, ContactId, JointId, ShapeId};
 
 /// A body moved, or fell asleep.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,6 +57,21 @@ pub struct ContactHitEvent {
     pub materials: [u64; 2],
 }
 
+/// A joint carried more than its threshold in the last step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JointEvent {
+    /// The joint; stale where it broke.
+    pub joint: JointId,
+    /// Mean force over the step \[N\].
+    pub force: Float,
+    /// Mean torque over the step \[N m\].
+    pub torque: Float,
+    /// Whether it broke.
+    pub broke: bool,
+    /// The joint's user data.
+    pub user_data: u64,
+}
+
 /// The lists of one step. Written by `publish_events`; ends of destroyed shapes are added when that happens.
 #[derive(Clone, Debug, Default)]
 pub struct Events {
@@ -68,6 +83,8 @@ pub struct Events {
     pub end: Vec<ContactEndEvent>,
     /// In order of contacts.
     pub hit: Vec<ContactHitEvent>,
+    /// In order of joints.
+    pub joint: Vec<JointEvent>,
     /// Ends since the last step.
     pub pending_end: Vec<ContactEndEvent>,
     /// How many of `end` were pending when the step began.
@@ -80,6 +97,7 @@ impl Events {
         self.moved.clear();
         self.begin.clear();
         self.hit.clear();
+        self.joint.clear();
         self.end.clear();
         self.end.append(&mut self.pending_end);
         self.announced = self.end.len();
@@ -92,5 +110,6 @@ impl Events {
             + self.begin.capacity() * size_of::<ContactBeginEvent>()
             + (self.end.capacity() + self.pending_end.capacity()) * size_of::<ContactEndEvent>()
             + self.hit.capacity() * size_of::<ContactHitEvent>()
+            + self.joint.capacity() * size_of::<JointEvent>()
     }
 }

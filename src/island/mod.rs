@@ -4,7 +4,7 @@
 pub mod color;
 
 use crate::body::{Body, NONE};
-use crate::constraint::{Contact, contact::flags};
+use crate::constraint::{Contact, Joint, contact::flags};
 
 /// Dynamic bodies that are solved, and fall asleep, together.
 #[derive(Clone, Debug, Default)]
@@ -108,7 +108,7 @@ impl IslandStore {
     }
 
     /// Splits an island into its connected parts. Its own id stays with the first part.
-    pub fn split(&mut self, id: u32, bodies: &mut [Body], contacts: &[Contact]) {
+    pub fn split(&mut self, id: u32, bodies: &mut [Body], contacts: &[Contact], joints: &[Joint]) {
         let members = std::mem::take(&mut self.islands[id as usize].bodies);
         for &m in &members {
             bodies[m as usize].island = NONE;
@@ -138,14 +138,14 @@ impl IslandStore {
                         continue;
                     }
                     let other = contact.body[usize::from(contact.body[0] == body)];
-                    // Only members can be NONE here and dynamic: static and kinematic bodies have no island,
-                    // and are told apart by their type.
-                    let o = &mut bodies[other as usize];
-                    if o.island == NONE && o.body_type == crate::world::BodyType::Dynamic {
-                        let list = &mut self.islands[part as usize].bodies;
-                        (o.island, o.island_place) = (part, list.len() as u32);
-                        list.push(other);
-                        queue.push(other);
+                    self.join(other, part, bodies, &mut queue);
+                }
+                for k in 0..bodies[body as usize].joints.len() {
+                    let joint = &joints[bodies[body as usize].joints[k] as usize];
+                    if joint.active && joint.ties() {
+                        for other in joint.members() {
+                            self.join(other, part, bodies, &mut queue);
+                        }
                     }
                 }
             }
@@ -153,9 +153,25 @@ impl IslandStore {
         self.queue = queue;
     }
 
+    /// Takes a neighbour into a part that is being gathered.
+    fn join(&mut self, other: u32, part: u32, bodies: &mut [Body], queue: &mut Vec<u32>) {
+        // Only members can be NONE here and dynamic: static and kinematic bodies have no island, and are told apart by
+        // their type, disabled ones by their set.
+        let o = &mut bodies[other as usize];
+        if o.island == NONE
+            && o.body_type == crate::world::BodyType::Dynamic
+            && o.set != crate::body::SetId::DISABLED
+        {
+            let list = &mut self.islands[part as usize].bodies;
+            (o.island, o.island_place) = (part, list.len() as u32);
+            list.push(other);
+            queue.push(other);
+        }
+    }
+
     /// Measures height and anchorage of an island whose constraints changed: breadth first from the bodies on
     /// something immovable, or from the first body where there is none.
-    pub fn measure(&mut self, id: u32, bodies: &[Body], contacts: &[Contact]) {
+    pub fn measure(&mut self, id: u32, bodies: &[Body], contacts: &[Contact], joints: &[Joint]) {
         let island = &self.islands[id as usize];
         let count = island.bodies.len();
         self.queue.clear();
@@ -170,7 +186,14 @@ impl IslandStore {
                         .iter()
                         .any(|&b| bodies[b as usize].body_type != crate::world::BodyType::Dynamic)
             });
-            if anchored {
+            let tied = bodies[body as usize].joints.iter().any(|&j| {
+                let joint = &joints[j as usize];
+                joint.active
+                    && joint.ties()
+                    && joint
+                        .holds_to_world(|b| bodies[b as usize].body_type != crate::world::BodyType::Dynamic)
+            });
+            if anchored || tied {
                 self.depth[place] = 1;
                 self.queue.push(body);
             }
@@ -196,6 +219,16 @@ impl IslandStore {
                 if other.island == id && self.depth[other.island_place as usize] == 0 {
                     self.depth[other.island_place as usize] = depth + 1;
                     self.queue.push(contact.body[usize::from(contact.body[0] == body)]);
+                }
+            }
+            for &j in &bodies[body as usize].joints {
+                let joint = &joints[j as usize];
+                for other in joint.members().filter(|_| joint.active && joint.ties()) {
+                    let o = &bodies[other as usize];
+                    if o.island == id && self.depth[o.island_place as usize] == 0 {
+                        self.depth[o.island_place as usize] = depth + 1;
+                        self.queue.push(other);
+                    }
                 }
             }
         }

@@ -219,6 +219,11 @@ fn immovable_aux() -> Aux {
         supported: true,
         kinematic: true,
         locked: false,
+        jointed: false,
+        touched: false,
+        joint: [zero; 2],
+        joint_middle: zero,
+        extra: 0.0,
     }
 }
 

@@ -3,17 +3,17 @@
 //!
 //! Islands with more points than a method is meant for, and problems that a method leaves without a usable solution,
 //! are done by [`FALLBACK_SWEEPS`] sweeps of projected Gauss–Seidel instead: both are counted in the
-//! [`SolveReport`](super::SolveReport).
+//! [`SolveReport`](super::SolveReport). Joints are no part of the problem: in worlds that have any, joints and contacts
+//! are solved in turn, [`JOINT_ROUNDS`] times.
 
 use super::bodies::Bodies;
 use super::contact_problem::{ContactProblem, IMMOVABLE, Mass, Outcome, PointArms, Status, V, three};
 use super::dantzig::Dantzig;
 use super::lemke::Lemke;
-use super::points::{Point, Points, apply, impulse, relative};
+use super::points::{Point, apply, impulse, relative};
 use super::proximal_admm::{Options, ProximalAdmm};
-use super::{Settings, SolveReport, SolverKind, SubStep};
-use crate::body::BodyStore;
-use crate::constraint::ContactStore;
+use super::rigid::Rigid;
+use super::{Settings, SolverKind};
 use crate::math::Vec3;
 use crate::math::scalar::{double, single};
 use std::ops::Range;
@@ -21,8 +21,8 @@ use std::ops::Range;
 /// Sweeps over an island that its solver did not solve.
 pub const FALLBACK_SWEEPS: u32 = 64;
 
-/// Sweeps that push overlap out.
-const PUSH_SWEEPS: u32 = 10;
+/// Rounds of joints and contacts in turn, where the world has joints.
+const JOINT_ROUNDS: u32 = 8;
 
 /// More points than any of the methods takes: the matrix is not even made.
 const GREATEST_COUNT: usize = 1000;
@@ -50,69 +50,47 @@ impl Workspace {
     }
 
     /// Takes every batch through its sub-steps.
-    pub fn solve(
-        &mut self,
-        points: &mut Points,
-        rows: &mut Bodies,
-        bodies: &BodyStore,
-        contacts: &mut ContactStore,
-        settings: &Settings,
-        report: &mut SolveReport,
-    ) {
-        let sub = settings.sub_step();
-        for batch in 0..rows.batches.len() {
-            for k in 0..settings.sub_steps {
-                let last = k + 1 == settings.sub_steps;
-                self.sub_step(points, rows, bodies, batch, last, &sub, settings, report);
+    pub fn solve(&mut self, step: &mut Rigid<'_>) {
+        step.run(true, |step, batch| {
+            let rounds = if step.joint_rows.is_empty() { 1 } else { JOINT_ROUNDS };
+            for round in 0..rounds {
+                if rounds > 1 {
+                    step.sweep_joints(batch);
+                }
+                for place in step.rows.batches[batch].islands.clone() {
+                    self.solve_contacts(step, place, round > 0, round + 1 == rounds);
+                }
             }
-        }
-        points.store(contacts);
+        });
     }
 
-    #[expect(clippy::too_many_arguments, reason = "what a sub-step is made of")]
-    fn sub_step(
-        &mut self,
-        points: &mut Points,
-        rows: &mut Bodies,
-        bodies: &BodyStore,
-        batch: usize,
-        last: bool,
-        sub: &SubStep,
-        settings: &Settings,
-        report: &mut SolveReport,
-    ) {
-        let range = points.range(rows, batch);
-        points.begin(rows, batch, sub);
-        rows.apply_forces(batch, true, sub, settings);
-        for place in rows.batches[batch].islands.clone() {
-            let island = points.of_island[place].clone();
-            if island.is_empty() {
-                continue;
-            }
-            let outcome = self.solve_island(&points.points[island.clone()], rows, place, settings);
-            report.count(outcome.status);
-            if outcome.status.is_usable() {
-                for (k, p) in points.points[island].iter_mut().enumerate() {
-                    let l = three(&self.lambda, k);
-                    p.lambda = [single(l.x), single(l.y), single(l.z)];
-                    apply(&mut rows.rows, p, impulse(p, p.lambda));
-                }
-            } else {
-                points.warm_start(rows, island.clone(), settings.warm_starting);
-                for _ in 0..FALLBACK_SWEEPS {
-                    points.sweep(rows, island.clone());
-                }
+    /// All contacts of an island; `again` in further rounds, where the impulses of the last one are taken back first.
+    fn solve_contacts(&mut self, step: &mut Rigid<'_>, place: usize, again: bool, last: bool) {
+        let island = step.points.of_island[place].clone();
+        if island.is_empty() {
+            return;
+        }
+        if again {
+            for p in &step.points.points[island.clone()] {
+                apply(&mut step.rows.rows, p, impulse(p, p.lambda.map(|l| -l)));
             }
         }
+        let outcome = self.solve_island(&step.points.points[island.clone()], step.rows, place, step.settings);
         if last {
-            report.measure(points.residual(rows, range.clone()));
+            step.report.count(outcome.status);
         }
-        rows.keep_angular_momentum(batch, false);
-        rows.move_bodies(batch, bodies, sub);
-        points.push_out(rows, bodies, batch, PUSH_SWEEPS, sub, settings);
-        rows.carry_over(batch, bodies);
-        points.close(range);
-        rows.keep_angular_momentum(batch, true);
+        if outcome.status.is_usable() {
+            for (k, p) in step.points.points[island].iter_mut().enumerate() {
+                let l = three(&self.lambda, k);
+                p.lambda = [single(l.x), single(l.y), single(l.z)];
+                apply(&mut step.rows.rows, p, impulse(p, p.lambda));
+            }
+        } else {
+            step.points.warm_start(step.rows, island.clone(), step.settings.warm_starting);
+            for _ in 0..FALLBACK_SWEEPS {
+                step.points.sweep(step.rows, island.clone());
+            }
+        }
     }
 
     /// States the problem of one island and solves it; impulses are left in `lambda`.

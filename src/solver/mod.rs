@@ -17,12 +17,14 @@ pub mod bodies;
 pub mod contact_problem;
 pub mod dantzig;
 mod exact;
+pub mod joints;
 pub mod lemke;
 mod passes;
 pub mod points;
 pub mod projected_gauss_seidel;
 pub mod proximal_admm;
 mod report;
+mod rigid;
 pub mod rows;
 pub mod sequential_impulse;
 pub mod soft_step;
@@ -30,12 +32,13 @@ pub mod soft_step;
 pub use report::SolveReport;
 
 use crate::body::BodyStore;
-use crate::constraint::ContactStore;
+use crate::constraint::{ContactStore, JointStore};
 use crate::integrate::IntegratorKind;
 use crate::island::IslandStore;
 use crate::math::{Float, Vec3};
 use bodies::Bodies;
 use points::Points;
+use rigid::Rigid;
 
 /// Which solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -199,6 +202,8 @@ impl Settings {
 pub struct Work {
     /// The bodies of the step.
     pub bodies: Bodies,
+    /// The joints of the step.
+    pub joints: joints::Workspace,
     /// Of [`soft_step`].
     pub soft_step: soft_step::Workspace,
     /// Of the other solvers.
@@ -224,48 +229,58 @@ impl Work {
         &mut self,
         bodies: &BodyStore,
         contacts: &mut ContactStore,
+        joints: &JointStore,
         islands: &mut IslandStore,
         settings: &Settings,
     ) {
         self.bodies.gather(bodies, contacts, islands);
         self.report.begin_step(settings.solver);
+        let Self { bodies: rows, joints: joint_rows, soft_step, points, .. } = self;
         match settings.solver.resolved() {
             SolverKind::Auto | SolverKind::SoftStep => {
-                self.soft_step.lay_out(&mut self.bodies, bodies, contacts, islands, settings);
+                soft_step.lay_out(rows, joint_rows, bodies, contacts, joints, islands, settings);
             }
             SolverKind::SequentialImpulse
             | SolverKind::ProjectedGaussSeidel
             | SolverKind::Lemke
             | SolverKind::Dantzig
             | SolverKind::ProximalAdmm => {
-                self.points.lay_out(&mut self.bodies, bodies, contacts, islands, settings);
+                points.lay_out(rows, joint_rows, bodies, contacts, joints, islands, settings);
             }
         }
     }
 
     /// Takes every batch through the step: velocities and moves are left in the rows, impulses in the contacts.
-    pub fn solve(&mut self, bodies: &BodyStore, contacts: &mut ContactStore, settings: &Settings) {
-        let Self { bodies: rows, soft_step, points, sequential, exact, report } = self;
-        match settings.solver.resolved() {
-            SolverKind::Auto | SolverKind::SoftStep => {
-                soft_step::solve(soft_step, rows, bodies, contacts, settings);
-            }
-            SolverKind::SequentialImpulse => {
-                sequential_impulse::solve(sequential, points, rows, bodies, contacts, settings, report);
-            }
-            SolverKind::ProjectedGaussSeidel => {
-                projected_gauss_seidel::solve(points, rows, bodies, contacts, settings, report);
-            }
-            SolverKind::Lemke | SolverKind::Dantzig | SolverKind::ProximalAdmm => {
-                exact.solve(points, rows, bodies, contacts, settings, report);
-            }
+    pub fn solve(
+        &mut self,
+        bodies: &BodyStore,
+        contacts: &mut ContactStore,
+        joints: &mut JointStore,
+        settings: &Settings,
+    ) {
+        let Self { bodies: rows, joints: joint_rows, soft_step, points, sequential, exact, report } = self;
+        let solver = settings.solver.resolved();
+        if solver == SolverKind::SoftStep {
+            soft_step::solve(soft_step, rows, joint_rows, bodies, contacts, joints, settings);
+            return;
         }
+        let sub = settings.sub_step();
+        let mut step = Rigid { points, rows, joint_rows, bodies, joints, settings, report, sub };
+        match solver {
+            SolverKind::Auto | SolverKind::SoftStep => {}
+            SolverKind::SequentialImpulse => sequential.solve(&mut step),
+            SolverKind::ProjectedGaussSeidel => projected_gauss_seidel::solve(&mut step),
+            SolverKind::Lemke | SolverKind::Dantzig | SolverKind::ProximalAdmm => exact.solve(&mut step),
+        }
+        points.store(contacts);
+        joint_rows.store(joints, settings.dt);
     }
 
     /// Bytes held.
     #[must_use]
     pub fn byte_count(&self) -> usize {
         self.bodies.byte_count()
+            + self.joints.byte_count()
             + self.soft_step.byte_count()
             + self.points.byte_count()
             + self.sequential.byte_count()

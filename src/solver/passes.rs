@@ -1,12 +1,12 @@
 //! The passes over bodies of a sub-step.
 
 use super::bodies::Bodies;
-use super::rows::{Aux, InertiaRow, Row};
+use super::rows::{InertiaRow, Row, inertia_times, inverse_inertia};
 use super::{Settings, SubStep};
 use crate::body::store::without;
 use crate::body::{BodyStore, NONE};
 use crate::integrate::{Integrator, PrincipalAxes, with_integrator};
-use crate::math::{Float, Mat3, Quat, Vec3, length, rotate, rotate_back, rotation_matrix};
+use crate::math::{Float, Quat, Vec3, length};
 
 impl Bodies {
     /// Velocities after forces, damping and (but for the first sub-step) what constraints changed last time.
@@ -59,7 +59,7 @@ impl Bodies {
             let (v, mut w) = (row.v(), row.w());
             // Without a constraint the way may be exact: v has had the whole sub-step's acceleration, the way half.
             let free = v == aux.before[0] && w == aux.before[1];
-            let lag = if free { I::LAG * h } else { 0.0 };
+            let lag = if free || aux.lags() { I::LAG * h } else { 0.0 };
             row.set_dx(row.dx() + (v - aux.accel * lag) * h);
             if aux.spin {
                 aux.first_dl = if free { Vec3::zeros() } else { inertia_times(aux, w - aux.before[1]) };
@@ -75,6 +75,7 @@ impl Bodies {
                 turn_row::<I>(row, mean * h);
             }
             aux.middle = [v, w];
+            aux.joint_middle = aux.joint[0];
         }
         for i in self.batches[batch].kinematic.clone() {
             let row = &mut self.rows.row[i];
@@ -103,6 +104,14 @@ impl Bodies {
             } else {
                 aux.warm = [dv, w - aux.before[1]];
             }
+            // Joints warm-start by themselves, as their arms turn.
+            if aux.jointed {
+                aux.warm[0] -= aux.joint[0] * row.inv_mass();
+                aux.warm[1] -= if aux.spin { aux.joint[1] } else { self.rows.inertia[i].times(aux.joint[1]) };
+                if !aux.touched {
+                    aux.warm = [Vec3::zeros(); 2];
+                }
+            }
             aux.supported = aux.warm[0] != Vec3::zeros() || aux.warm[1] != Vec3::zeros();
         }
     }
@@ -122,7 +131,14 @@ impl Bodies {
             for i in range {
                 let (row, aux) = (&mut self.rows.row[i], &mut self.rows.aux[i]);
                 let since = if after_relax { aux.middle[0] } else { aux.before[0] };
-                let dp = (row.v() - since) * aux.mass;
+                let mut dp = (row.v() - since) * aux.mass;
+                if aux.jointed {
+                    // Joints act at the present places and lose nothing.
+                    dp -= if after_relax { aux.joint[0] - aux.joint_middle } else { aux.joint[0] };
+                    if !aux.touched {
+                        continue;
+                    }
+                }
                 if dp == Vec3::zeros() {
                     continue;
                 }
@@ -155,8 +171,10 @@ impl Bodies {
                 new.q = crate::math::quat(new.q.w, Vec3::new(new.q.i, new.q.j, new.q.k));
                 let (dv, dw) = (v - aux.begin[0], w - aux.begin[1]);
                 new.p = if aux.mass > 0.0 { old.p + dv * aux.mass } else { v };
-                new.l = if aux.spin {
+                new.l = if aux.spin && aux.extra == 0.0 {
                     aux.l
+                } else if aux.spin {
+                    set.mass[at].inertia_times(&new.q, w)
                 } else if set.mass[at].turns() {
                     old.l + set.mass[at].inertia_times(&old.q, dw)
                 } else {
@@ -173,21 +191,6 @@ impl Bodies {
             }
         }
     }
-}
-
-/// I_w ω of a spinning body.
-#[inline]
-fn inertia_times(aux: &Aux, w: Vec3) -> Vec3 {
-    rotate(&aux.q[0], rotate_back(&aux.q[0], w).component_mul(&aux.moments))
-}
-
-/// I_w⁻¹ of a spinning body.
-#[inline]
-fn inverse_inertia(aux: &Aux) -> Mat3 {
-    let r = rotation_matrix(&aux.q[0]);
-    let inv = aux.moments.map(|m| 1.0 / m);
-    let scaled = Mat3::from_columns(&[r.column(0) * inv.x, r.column(1) * inv.y, r.column(2) * inv.z]);
-    scaled * r.transpose()
 }
 
 /// Δq turned by the rotation vector `a` \[rad\].

@@ -19,10 +19,10 @@
 use super::bodies::{Bodies, center, island_of};
 use super::contact_problem::{V, natural_error, worse};
 use super::rows::Rows;
-use super::{Settings, SubStep};
+use super::{Settings, SubStep, joints};
 use crate::body::store::without;
 use crate::body::{BodyStore, NONE};
-use crate::constraint::{ContactStore, contact::flags};
+use crate::constraint::{ContactStore, JointStore, contact::flags};
 use crate::integrate::turn_by;
 use crate::island::IslandStore;
 use crate::math::scalar::double;
@@ -90,18 +90,21 @@ pub struct Points {
 }
 
 impl Points {
-    /// Lays bodies and points out. Impulses of the last step are taken over where they are wanted.
+    #[expect(clippy::too_many_arguments, reason = "all that a step is laid out from")]
+    /// Lays bodies, joints and points out. Impulses of the last step are taken over where they are wanted.
     pub fn lay_out(
         &mut self,
         rows: &mut Bodies,
+        joint_rows: &mut joints::Workspace,
         bodies: &BodyStore,
         contacts: &ContactStore,
+        joints: &JointStore,
         islands: &mut IslandStore,
         settings: &Settings,
     ) {
         for island in &rows.islands {
             if islands.islands[island.id as usize].changed {
-                islands.measure(island.id, &bodies.bodies, &contacts.contacts);
+                islands.measure(island.id, &bodies.bodies, &contacts.contacts, &joints.joints);
             }
         }
         rows.fill(bodies, islands, settings);
@@ -119,9 +122,11 @@ impl Points {
         });
         self.points.clear();
         self.of_island.clear();
+        joint_rows.begin(rows, bodies, joints);
         let mut at = 0;
         for batch in 0..rows.batches.len() {
             rows.open_batch(batch);
+            joint_rows.lay_out_batch(batch, rows, bodies, joints, settings);
             for place in rows.batches[batch].islands.clone() {
                 let first = self.points.len();
                 while at < self.keys.len() && self.keys[at].0 as usize == place {
@@ -132,11 +137,12 @@ impl Points {
             }
         }
         debug_assert_eq!(at, self.keys.len());
+        joint_rows.end(rows, joints, settings);
         for p in &self.points {
-            if p.lambda[0] > 0.0 {
-                for row in p.rows {
-                    rows.rows.aux[row as usize].supported = true;
-                }
+            for row in p.rows {
+                let aux = &mut rows.rows.aux[row as usize];
+                aux.touched = true;
+                aux.supported |= p.lambda[0] > 0.0;
             }
         }
         self.push.clear();

@@ -1,7 +1,7 @@
 //! What the solver knows of a body: a row of 64 bytes (f32) that every constraint gathers, a row of world
 //! inverse inertia, and a slower part that only the passes over bodies touch.
 
-use crate::math::{Float, Mat3, Quat, Vec3, vec3};
+use crate::math::{Float, Mat3, Quat, Vec3, rotate, rotate_back, rotation_matrix, vec3};
 use crate::simd::{Lane, Quad, Sym3, V3};
 
 /// The solver row, as four quads: (v, 1/m) (ω, –) (Δx, –) (Δq). Δx and Δq are displacement and turn since the
@@ -134,6 +134,40 @@ pub struct Aux {
     pub kinematic: bool,
     /// Whether any direction is locked.
     pub locked: bool,
+    /// Whether the body has joints.
+    pub jointed: bool,
+    /// Whether it has contacts.
+    pub touched: bool,
+    /// Momentum and angular momentum that joints gave it in this sub-step.
+    pub joint: [Vec3; 2],
+    /// Momentum of that when the bodies were moved.
+    pub joint_middle: Vec3,
+    /// What is added to its moments of inertia for the step \[kg m²\], see [`Rows::bear`].
+    pub extra: Float,
+}
+
+impl Aux {
+    /// Whether the body is moved by less than its velocity, as its acceleration acts all through the sub-step: joints
+    /// reckon with that, contacts do not.
+    #[inline(always)]
+    pub fn lags(&self) -> bool {
+        self.jointed && !self.touched
+    }
+}
+
+/// I_w ω of a spinning body.
+#[inline]
+pub fn inertia_times(aux: &Aux, w: Vec3) -> Vec3 {
+    rotate(&aux.q[0], rotate_back(&aux.q[0], w).component_mul(&aux.moments))
+}
+
+/// I_w⁻¹ by the moments and the present rotation of the principal axes.
+#[inline]
+pub fn inverse_inertia(aux: &Aux) -> Mat3 {
+    let r = rotation_matrix(&aux.q[0]);
+    let inv = aux.moments.map(|m| 1.0 / m);
+    let scaled = Mat3::from_columns(&[r.column(0) * inv.x, r.column(1) * inv.y, r.column(2) * inv.z]);
+    scaled * r.transpose()
 }
 
 /// The rows of all bodies of a step, ordered by batch and island.
@@ -163,6 +197,36 @@ pub struct Gathered<L> {
 }
 
 impl Rows {
+    /// Makes a body bear a load \[N m\], |force| · |arm| summed over what pulls at both of its ends. A force that stays while the body
+    /// turns under it acts as a torsion spring of that stiffness k; explicit in time, that is unstable where h² k
+    /// exceeds four times the inertia, as of a light link that carries a thousand times its weight. Such a body turns
+    /// as if its moments were greater, by so much that h² k ≤ 2 I (Andrews, Teichmann & Kövecses 2017 do the like).
+    /// Its angular velocity is right, its angular momentum then not kept to rounding. Says whether
+    /// its inertia changed; with `from` > 1 it only grows, and only by more than that factor.
+    pub fn bear(&mut self, i: usize, load: Float, h: Float, from: Float) -> bool {
+        let aux = &mut self.aux[i];
+        let least = aux.moments.min() - aux.extra;
+        if aux.kinematic || least <= 0.0 || self.inertia[i].trace() == 0.0 || aux.locked {
+            return false;
+        }
+        let extra = (0.5 * h * h * load - least).max(0.0);
+        // Small changes are not worth a new tensor.
+        if (extra - aux.extra).abs() <= 0.1 * (least + aux.extra)
+            || (from > 1.0 && extra < from * (least + aux.extra))
+        {
+            return false;
+        }
+        let change = extra - aux.extra;
+        aux.extra = extra;
+        aux.moments += Vec3::repeat(change);
+        if aux.spin {
+            let w = self.row[i].w();
+            aux.l = inertia_times(aux, w);
+        }
+        self.inertia[i] = InertiaRow::new(&inverse_inertia(aux));
+        true
+    }
+
     /// Gathers velocities, mass and inertia.
     #[inline(always)]
     pub fn gather<L: Lane>(&self, index: &L::Index) -> Gathered<L> {

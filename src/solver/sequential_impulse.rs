@@ -13,12 +13,10 @@
 //! ([`Settings::shuffle`]: shuffled within an island, seeded by the iteration's number) and larger corrections in the
 //! first iterations ([`Settings::over_correct`]: [`GREATEST`] times the impulse, falling to once in the last).
 
-use super::bodies::Bodies;
-use super::points::{Point, Points, apply, relative};
+use super::points::{Point, apply, relative};
+use super::rigid::Rigid;
 use super::rows::Rows;
-use super::{Settings, SolveReport, SubStep};
-use crate::body::BodyStore;
-use crate::constraint::ContactStore;
+use super::{Settings, SubStep};
 use crate::math::Float;
 
 /// Which share of an overlap a separation force of 1 pushes out in a sub-step.
@@ -34,55 +32,35 @@ pub struct Workspace {
 }
 
 impl Workspace {
+    /// Takes every batch through its sub-steps.
+    pub fn solve(&mut self, step: &mut Rigid<'_>) {
+        let settings = step.settings;
+        step.run(false, |step, batch| {
+            let range = step.points.range(step.rows, batch);
+            for p in &mut step.points.points[range] {
+                p.lambda = [0.0; 3];
+                separate(p, &step.sub, settings);
+            }
+            for iteration in 0..settings.iterations {
+                let factor = correction(iteration, settings);
+                step.sweep_joints(batch);
+                for place in step.rows.batches[batch].islands.clone() {
+                    let island = step.points.of_island[place].clone();
+                    self.arrange(island.len(), iteration, settings.shuffle);
+                    let points = &mut step.points.points[island];
+                    for &i in &self.order {
+                        visit(&mut points[i as usize], &mut step.rows.rows, factor);
+                    }
+                }
+            }
+        });
+    }
+
     /// Bytes held.
     #[must_use]
     pub fn byte_count(&self) -> usize {
         self.order.capacity() * 4
     }
-}
-
-/// Takes every batch through its sub-steps.
-pub fn solve(
-    work: &mut Workspace,
-    points: &mut Points,
-    rows: &mut Bodies,
-    bodies: &BodyStore,
-    contacts: &mut ContactStore,
-    settings: &Settings,
-    report: &mut SolveReport,
-) {
-    let sub = settings.sub_step();
-    for batch in 0..rows.batches.len() {
-        let range = points.range(rows, batch);
-        for k in 0..settings.sub_steps {
-            points.begin(rows, batch, &sub);
-            rows.apply_forces(batch, true, &sub, settings);
-            for p in &mut points.points[range.clone()] {
-                p.lambda = [0.0; 3];
-                separate(p, &sub, settings);
-            }
-            for iteration in 0..settings.iterations {
-                let factor = correction(iteration, settings);
-                for place in rows.batches[batch].islands.clone() {
-                    let island = points.of_island[place].clone();
-                    work.arrange(island.len(), iteration, settings.shuffle);
-                    let points = &mut points.points[island];
-                    for &i in &work.order {
-                        visit(&mut points[i as usize], &mut rows.rows, factor);
-                    }
-                }
-            }
-            if k + 1 == settings.sub_steps {
-                report.measure(points.residual(rows, range.clone()));
-            }
-            rows.keep_angular_momentum(batch, false);
-            rows.move_bodies(batch, bodies, &sub);
-            rows.carry_over(batch, bodies);
-            points.close(range.clone());
-            rows.keep_angular_momentum(batch, true);
-        }
-    }
-    points.store(contacts);
 }
 
 /// Raises the target of an overlapping point to the speed that its separation force asks for.

@@ -121,7 +121,7 @@ impl World {
 
     fn may_collide(&self, pair: [u32; 2]) -> bool {
         let [a, b] = pair.map(|i| &self.colliders[i as usize]);
-        if a.body == b.body || !a.filter.collides(&b.filter) {
+        if a.body == b.body || !a.filter.collides(&b.filter) || self.joint_forbids(a.body, b.body) {
             return false;
         }
         let dynamic = |c: &Collider| self.bodies.bodies[c.body as usize].body_type == BodyType::Dynamic;

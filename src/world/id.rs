@@ -59,6 +59,11 @@ id_type! {
     ContactId, u32, "contact"
 }
 
+id_type! {
+    /// A joint between bodies.
+    JointId, u16, "joint"
+}
+
 /// Hands out slots with a generation each. A slot whose generations are used up is never handed out again.
 #[derive(Clone, Debug)]
 pub struct IdPool {
@@ -134,6 +139,12 @@ impl IdPool {
         self.slots.get(index).is_some_and(|s| s.live && s.generation == generation)
     }
 
+    /// The generation of a slot, 0 for one that was never handed out.
+    #[must_use]
+    pub fn generation_of(&self, index: usize) -> u32 {
+        self.slots.get(index).map_or(0, |s| s.generation)
+    }
+
     /// The generation of a taken slot.
     #[must_use]
     pub fn generation(&self, index: usize) -> u32 {
@@ -179,6 +190,7 @@ pub struct Identity {
     pub(crate) bodies: IdPool,
     pub(crate) shapes: IdPool,
     pub(crate) contacts: IdPool,
+    pub(crate) joints: IdPool,
 }
 
 impl Identity {
@@ -190,6 +202,7 @@ impl Identity {
             bodies: IdPool::new(u32::from(u16::MAX)),
             shapes: IdPool::new(u32::from(u16::MAX)),
             contacts: IdPool::new(u32::MAX),
+            joints: IdPool::new(u32::from(u16::MAX)),
         }
     }
 
@@ -198,6 +211,7 @@ impl Identity {
         self.bodies.restore(&earlier.bodies);
         self.shapes.restore(&earlier.shapes);
         self.contacts.restore(&earlier.contacts);
+        self.joints.restore(&earlier.joints);
     }
 
     /// The identity for a next world with the same tag: no id of the old world is valid in it.
@@ -208,6 +222,7 @@ impl Identity {
             bodies: self.bodies.emptied(),
             shapes: self.shapes.emptied(),
             contacts: self.contacts.emptied(),
+            joints: self.joints.emptied(),
         }
     }
 }

@@ -66,6 +66,12 @@ impl World {
                 self.wake_body(other as usize);
             }
         }
+        for k in 0..self.bodies.bodies[body].joints.len() {
+            let joint = self.bodies.bodies[body].joints[k] as usize;
+            if self.joints.joints[joint].active {
+                self.wake_joint(joint);
+            }
+        }
     }
 
     /// Wakes everything.
@@ -143,7 +149,7 @@ impl World {
         })
     }
 
-    fn is_moving(&self, body: usize) -> bool {
+    pub(super) fn is_moving(&self, body: usize) -> bool {
         let (set, row) = self.bodies.at(body);
         set.motion[row].p != Vec3::zeros() || set.motion[row].l != Vec3::zeros()
     }
@@ -182,7 +188,12 @@ impl World {
                 continue;
             }
             if self.islands.islands[island].lost > 0 {
-                self.islands.split(island as u32, &mut self.bodies.bodies, &self.contacts.contacts);
+                self.islands.split(
+                    island as u32,
+                    &mut self.bodies.bodies,
+                    &self.contacts.contacts,
+                    &self.joints.joints,
+                );
             } else {
                 for k in 0..self.islands.islands[island].bodies.len() {
                     let body = self.islands.islands[island].bodies[k];
@@ -196,14 +207,15 @@ impl World {
 
     pub(super) fn touches_moving_kinematic(&self, island: usize) -> bool {
         self.islands.islands[island].bodies.iter().any(|&b| {
-            self.bodies.bodies[b as usize].contacts.iter().any(|&c| {
-                let contact = &self.contacts.contacts[c as usize];
-                contact.is(flags::CONSTRAINT)
-                    && contact.body.iter().any(|&o| {
-                        self.bodies.bodies[o as usize].body_type == BodyType::Kinematic
-                            && self.is_moving(o as usize)
-                    })
-            })
+            self.is_driven_by_joints(b as usize)
+                || self.bodies.bodies[b as usize].contacts.iter().any(|&c| {
+                    let contact = &self.contacts.contacts[c as usize];
+                    contact.is(flags::CONSTRAINT)
+                        && contact.body.iter().any(|&o| {
+                            self.bodies.bodies[o as usize].body_type == BodyType::Kinematic
+                                && self.is_moving(o as usize)
+                        })
+                })
         })
     }
 }

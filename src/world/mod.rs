@@ -5,6 +5,7 @@ mod collider;
 mod def;
 mod id;
 mod islands;
+mod joint;
 mod publish;
 mod query;
 mod report;
@@ -15,7 +16,8 @@ mod view;
 
 pub use collider::Collider;
 pub use def::{BodyDef, BodyType, Filter, MotionLocks, QueryFilter, ShapeDef, SurfaceMaterial, WorldDef};
-pub use id::{BodyId, ContactId, IdPool, Identity, ShapeId};
+pub use id::{BodyId, ContactId, IdPool, Identity, JointId, ShapeId};
+pub use joint::{JointDef, JointMut, JointRef};
 pub use query::ShapeHit;
 pub use report::{Counters, Profile, StepReport};
 pub use seed::{
@@ -26,7 +28,7 @@ pub use view::{BodyMut, BodyRef, ColliderMut, ColliderRef, ContactData};
 
 use crate::body::{BodyStore, MassProps, SetId};
 use crate::broad_phase::{BroadPhase, Layer, PairSet};
-use crate::constraint::{ContactStore, contact::flags};
+use crate::constraint::{ContactStore, JointStore, contact::flags};
 use crate::error::{Error, ErrorCode, Result, check};
 use crate::event::{BodyMoveEvent, ContactBeginEvent, ContactEndEvent, ContactHitEvent, Events};
 use crate::island::{IslandStore, color::Coloring};
@@ -72,6 +74,7 @@ pub struct World {
     pub(crate) broad_phase: Box<dyn BroadPhase>,
     pub(crate) pairs: PairSet,
     pub(crate) contacts: ContactStore,
+    pub(crate) joints: JointStore,
     pub(crate) islands: IslandStore,
     pub(crate) coloring: Coloring,
     pub(crate) events: Events,
@@ -116,6 +119,7 @@ impl World {
             colliders: Vec::new(),
             pairs: PairSet::new(),
             contacts: ContactStore::default(),
+            joints: JointStore::default(),
             islands: IslandStore::default(),
             coloring: Coloring::default(),
             events: Events::default(),
@@ -291,6 +295,7 @@ impl World {
     pub fn destroy_body(&mut self, id: BodyId) -> Result<()> {
         let index = self.body_index(id)?;
         self.wake_touching(index);
+        self.remove_joints_of(index);
         for k in (0..self.bodies.bodies[index].shapes.len()).rev() {
             let shape = self.bodies.bodies[index].shapes[k] as usize;
             self.remove_collider(shape);

@@ -21,6 +21,7 @@ impl World {
                 self.publish_move(index, true);
             }
             self.events.moved.sort_unstable_by_key(|e| e.body.index1);
+            self.publish_joints();
         }
     }
 

@@ -74,6 +74,10 @@ pub struct StepReport {
     pub angular_momentum: [f64; 3],
     /// Deepest overlap of any contact, at the present poses \[m\]; 0 for none.
     pub worst_penetration: Float,
+    /// Greatest error of what rigid joints hold, at the present poses: of lengths \[m\].
+    pub joint_gap: Float,
+    /// The same of angles \[rad\].
+    pub joint_angle_gap: Float,
     /// Greatest normal approach speed left at a loaded contact point \[m/s\].
     pub residual: Float,
     /// Sub-steps of the last step.
@@ -122,6 +126,7 @@ impl World {
             + self.broad_phase.byte_count()
             + self.pairs.byte_count()
             + self.contacts.byte_count()
+            + self.joints.byte_count()
             + self.islands.byte_count()
             + self.coloring.byte_count()
             + self.events.byte_count()
@@ -161,12 +166,15 @@ impl World {
             }
         }
         let (worst_penetration, residual) = self.contact_errors();
+        let (joint_gap, joint_angle_gap) = self.joint_gap();
         StepReport {
             kinetic_energy: kinetic,
             potential_energy: potential,
             linear_momentum: p,
             angular_momentum: l,
             worst_penetration,
+            joint_gap,
+            joint_angle_gap,
             residual,
             sub_steps: self.last_sub_steps,
             steps: self.counts.steps,
@@ -243,6 +251,11 @@ impl World {
             hash.vec(contact.friction_impulse);
             hash.scalar(contact.twist_impulse);
             hash.vec(contact.rolling_impulse);
+        }
+        for &j in &self.joints.live {
+            let joint = &self.joints.joints[j as usize];
+            hash.word(u64::from(j));
+            joint.impulse.iter().for_each(|&p| hash.scalar(p));
         }
         hash.0
     }

@@ -38,9 +38,9 @@ impl World {
         self.build_islands();
         self.profile.build_islands = clock.lap();
         if dt > 0.0 {
-            self.work.prepare(&self.bodies, &mut self.contacts, &mut self.islands, &settings);
+            self.work.prepare(&self.bodies, &mut self.contacts, &self.joints, &mut self.islands, &settings);
             self.profile.prepare = clock.lap();
-            self.work.solve(&self.bodies, &mut self.contacts, &settings);
+            self.work.solve(&self.bodies, &mut self.contacts, &mut self.joints, &settings);
             self.profile.solve = clock.lap();
             self.advance(dt);
             self.profile.advance = clock.lap();

@@ -14,6 +14,33 @@ impl World {
         self.validate_islands();
         self.validate_shapes();
         self.validate_contacts();
+        self.validate_joints();
+    }
+
+    fn validate_joints(&self) {
+        let pool = &self.identity.joints;
+        assert_eq!(pool.live(), self.joints.live.len());
+        assert!(self.joints.live.is_sorted_by(|a, b| a < b));
+        for &j in &self.joints.live {
+            assert!(pool.is_live(j as usize, pool.generation(j as usize)));
+            let joint = &self.joints.joints[j as usize];
+            for body in joint.members() {
+                assert!(self.bodies.bodies[body as usize].joints.contains(&j), "joint {j} of body {body}");
+            }
+            let enabled = joint.members().all(|b| self.bodies.bodies[b as usize].set != SetId::DISABLED);
+            assert_eq!(joint.active, enabled, "joint {j} acts");
+            if joint.active && joint.ties() {
+                let islands: BTreeSet<u32> = joint
+                    .members()
+                    .map(|b| self.bodies.bodies[b as usize].island)
+                    .filter(|&i| i != NONE)
+                    .collect();
+                assert!(islands.len() <= 1, "joint {j} lies in one island");
+            }
+        }
+        for body in self.live_bodies() {
+            assert!(self.bodies.bodies[body].joints.iter().all(|j| self.joints.live.contains(j)));
+        }
     }
 
     fn live_bodies(&self) -> impl Iterator<Item = usize> + '_ {
@@ -77,6 +104,14 @@ impl World {
             for &c in &self.bodies.bodies[body as usize].contacts {
                 let contact = &self.contacts.contacts[c as usize];
                 for other in contact.body.into_iter().filter(|_| contact.is(flags::CONSTRAINT)) {
+                    if self.bodies.bodies[other as usize].island != NONE && seen.insert(other) {
+                        queue.push(other);
+                    }
+                }
+            }
+            for &j in &self.bodies.bodies[body as usize].joints {
+                let joint = &self.joints.joints[j as usize];
+                for other in joint.members().filter(|_| joint.active && joint.ties()) {
                     if self.bodies.bodies[other as usize].island != NONE && seen.insert(other) {
                         queue.push(other);
                     }

@@ -4,12 +4,13 @@ use super::kinds::{KINDS, Kind, KindTable, Placed, kind_of};
 use super::preload::Preload;
 use super::soft;
 use crate::body::{BodyStore, NONE};
-use crate::constraint::{ContactStore, contact::flags};
+use crate::constraint::{ContactStore, JointStore, contact::flags};
 use crate::island::IslandStore;
 use crate::island::color::{COLORS, OVERFLOW};
 use crate::math::{Float, length};
 use crate::solver::Settings;
 use crate::solver::bodies::{Bodies, center, island_of};
+use crate::solver::joints;
 use crate::solver::rows::Rows;
 use std::ops::Range;
 
@@ -63,18 +64,21 @@ impl Workspace {
         }
     }
 
+    #[allow(clippy::too_many_arguments)]
     /// See the module. The islands have been gathered; new resting contacts get their first impulses.
     pub fn lay_out(
         &mut self,
         rows: &mut Bodies,
+        joint_rows: &mut joints::Workspace,
         bodies: &BodyStore,
         contacts: &mut ContactStore,
+        joints: &JointStore,
         islands: &mut IslandStore,
         settings: &Settings,
     ) {
         for island in &rows.islands {
             if islands.islands[island.id as usize].changed {
-                islands.measure(island.id, &bodies.bodies, &contacts.contacts);
+                islands.measure(island.id, &bodies.bodies, &contacts.contacts, &joints.joints);
                 if settings.warm_starting && islands.islands[island.id as usize].anchored {
                     self.preload.run(island.id, islands, bodies, contacts, settings);
                 }
@@ -83,7 +87,9 @@ impl Workspace {
         rows.fill(bodies, islands, settings);
         self.sort_constraints(rows, bodies, contacts);
         self.measure_loads(rows, bodies, contacts, islands, settings);
-        self.fill_blocks(rows, bodies, contacts, islands, settings);
+        joint_rows.begin(rows, bodies, joints);
+        self.fill_blocks(rows, joint_rows, bodies, contacts, joints, islands, settings);
+        joint_rows.end(rows, joints, settings);
     }
 
     /// The load ratio of each island (how much more a body carries than it weighs) and who is held by contacts.
@@ -165,11 +171,14 @@ impl Workspace {
     }
 
     /// Blocks, group by group.
+    #[allow(clippy::too_many_arguments)]
     fn fill_blocks(
         &mut self,
         rows: &mut Bodies,
+        joint_rows: &mut joints::Workspace,
         bodies: &BodyStore,
         contacts: &ContactStore,
+        joints: &JointStore,
         islands: &IslandStore,
         settings: &Settings,
     ) {
@@ -191,6 +200,7 @@ impl Workspace {
         for batch in 0..rows.batches.len() {
             let first = self.groups.len();
             rows.open_batch(batch);
+            joint_rows.lay_out_batch(batch, rows, bodies, joints, settings);
             while at < self.keys.len() && (self.keys[at] >> 42) as usize == batch {
                 let group = self.keys[at] >> 32;
                 self.placed.clear();
@@ -221,6 +231,9 @@ impl Workspace {
                 }
                 let (kind, color) = ((group % 32) as usize, group / 32 % 32);
                 let width = usize::from(settings.wide && color != 0);
+                for &row in self.placed.iter().flat_map(|p| &p.rows) {
+                    rows.rows.aux[row as usize].touched = true;
+                }
                 let blocks =
                     self.kinds.by_width[width][kind].append(&contacts.contacts, &self.placed, &rows.rows);
                 self.groups.push(Group { width, kind, blocks });

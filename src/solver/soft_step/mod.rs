@@ -13,9 +13,9 @@ mod preload;
 pub use layout::Workspace;
 
 use super::bodies::Bodies;
-use super::{Settings, SubStep};
+use super::{Settings, SubStep, joints};
 use crate::body::BodyStore;
-use crate::constraint::ContactStore;
+use crate::constraint::{ContactStore, JointStore};
 use crate::math::{Float, scalar::PI};
 
 /// A spring of this frequency \[Hz\] and damping ratio as a soft constraint over a step h, integrated implicitly
@@ -32,16 +32,19 @@ fn soft(hertz: Float, damping_ratio: Float, h: Float, push_out: Float) -> [Float
 pub fn solve(
     work: &mut Workspace,
     rows: &mut Bodies,
+    joint_rows: &mut joints::Workspace,
     bodies: &BodyStore,
     contacts: &mut ContactStore,
+    joints: &mut JointStore,
     settings: &Settings,
 ) {
     let sub = settings.sub_step();
     for batch in 0..rows.batches.len() {
         for k in 0..settings.sub_steps {
-            sub_step(work, rows, bodies, batch, k == 0, &sub, settings);
+            sub_step(work, rows, joint_rows, bodies, joints, batch, k == 0, &sub, settings);
         }
     }
+    joint_rows.store(joints, settings.dt);
     for width in &mut work.kinds.by_width {
         for kind in width {
             kind.store(&mut contacts.contacts);
@@ -50,23 +53,30 @@ pub fn solve(
 }
 
 /// One sub-step of one batch.
+#[allow(clippy::too_many_arguments)]
 fn sub_step(
     work: &mut Workspace,
     rows: &mut Bodies,
+    joint_rows: &mut joints::Workspace,
     bodies: &BodyStore,
+    joints: &JointStore,
     batch: usize,
     first: bool,
     sub: &SubStep,
     settings: &Settings,
 ) {
+    joint_rows.begin_sub_step(batch, rows, settings);
     work.each_group(batch, &mut rows.rows, |kind, range, rows| kind.find_impacts(range, rows, sub));
     rows.apply_forces(batch, first, sub, settings);
+    joint_rows.warm_start(batch, &mut rows.rows);
     if first && settings.warm_starting {
         work.each_group(batch, &mut rows.rows, |kind, range, rows| kind.warm_start(range, rows));
     }
+    joint_rows.solve(batch, rows, joints, sub);
     work.each_group(batch, &mut rows.rows, |kind, range, rows| kind.solve(range, rows, sub));
     rows.keep_angular_momentum(batch, false);
     rows.move_bodies(batch, bodies, sub);
+    joint_rows.relax(batch, rows, joints, sub);
     work.each_group(batch, &mut rows.rows, |kind, range, rows| kind.relax(range, rows, sub));
     rows.carry_over(batch, bodies);
     work.each_group(batch, &mut rows.rows, |kind, range, rows| kind.end_impacts(range, rows));

@@ -363,7 +363,12 @@ impl BodyMut<'_> {
             let island = body.island;
             if self.world.islands.islands[island as usize].lost > 0 {
                 let world = &mut *self.world;
-                world.islands.split(island, &mut world.bodies.bodies, &world.contacts.contacts);
+                world.islands.split(
+                    island,
+                    &mut world.bodies.bodies,
+                    &world.contacts.contacts,
+                    &world.joints.joints,
+                );
             }
             let island = self.world.bodies.bodies[self.index].island;
             if !self.world.touches_moving_kinematic(island as usize) {

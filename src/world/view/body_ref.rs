@@ -4,7 +4,7 @@ use super::{BodyRef, ColliderRef, ContactData};
 use crate::body::SetId;
 use crate::math::{Aabb, Float, Mat3, Pose, Vec3};
 use crate::shape::MassData;
-use crate::world::{BodyId, BodyType, MotionLocks, ShapeId};
+use crate::world::{BodyId, BodyType, JointId, MotionLocks, ShapeId};
 
 impl<'w> BodyRef<'w> {
     fn at(&self) -> (&'w crate::body::BodySet, usize) {
@@ -175,6 +175,11 @@ impl<'w> BodyRef<'w> {
         let world = self.world;
         self.body().shapes.iter().map(move |&s| world.shape_id(s as usize))
     }
+    /// Its joints, unordered.
+    pub fn joints(&self) -> impl ExactSizeIterator<Item = JointId> + use<'w> {
+        self.world.joints_of(self.index)
+    }
+
     /// An upper bound for the number of its touching contacts.
     #[must_use]
     pub fn contact_capacity(&self) -> usize {

@@ -90,6 +90,10 @@ impl World {
             let shape = self.bodies.bodies[index].shapes[k] as usize;
             self.leave_broad_phase(shape);
         }
+        for k in 0..self.bodies.bodies[index].joints.len() {
+            let joint = self.bodies.bodies[index].joints[k] as usize;
+            self.deactivate_joint(joint);
+        }
         self.islands.leave(index as u32, &mut self.bodies.bodies);
         self.bodies.transfer(index, SetId::DISABLED);
         let (set, row) = self.bodies.at_mut(index);
@@ -115,6 +119,10 @@ impl World {
             let shape = self.bodies.bodies[index].shapes[k] as usize;
             self.colliders[shape].fat = self.first_box(&self.colliders[shape], &origin, index);
             self.enter_broad_phase(shape);
+        }
+        for k in 0..self.bodies.bodies[index].joints.len() {
+            let joint = self.bodies.bodies[index].joints[k] as usize;
+            self.activate_joint(joint);
         }
     }
 

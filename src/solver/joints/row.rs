@@ -1,0 +1,333 @@
+//! A row of a joint, ready to be solved.
+
+use super::oscillator::Oscillator;
+use crate::constraint::joint::{Joint, JointRow, Law, MAX_ROWS, Side};
+use crate::math::scalar::{double, single};
+use crate::math::{Float, Vec3};
+use crate::solver::SubStep;
+use crate::solver::rows::Rows;
+
+/// Errors are pushed out at no more than this \[m/s\].
+const PUSH_SPEED: Float = 4.0;
+/// The same for angles \[rad/s\].
+const PUSH_SPEED_ANGULAR: Float = 8.0;
+
+/// What a pass is after.
+#[derive(Clone, Copy, Debug)]
+pub enum Pass {
+    /// About the right velocities, to look ahead with.
+    Guess,
+    /// The right place at the end of the sub-step, where the error would be `predicted` if nothing changed.
+    Solve {
+        /// C there.
+        predicted: Float,
+    },
+    /// The right velocity there.
+    Relax,
+}
+
+/// See the module. Its impulse follows λ ← scale · λ + mass · (aim − scale · Ċ), within its bounds; a hard row has the
+/// scale 1.
+#[derive(Clone, Debug)]
+pub struct SolverRow {
+    /// Solver rows of bodies A and B, and of two more.
+    bodies: [u32; 4],
+    /// Of bodies A and B.
+    sides: [Side; 2],
+    /// I_w⁻¹ times their angular parts.
+    turn: [Vec3; 2],
+    /// Of two bodies more.
+    more: Option<[Side; 2]>,
+    law: Law,
+    /// Whether λ has no bounds: hard rows and springs of any strength.
+    pub unbounded: bool,
+    angular: bool,
+    /// The error, where the Jacobian was taken.
+    c: Float,
+    /// Error and Ċ when the sub-step began, for springs.
+    start: [Float; 2],
+    /// Motion of its spring.
+    oscillator: Oscillator,
+    /// Effective mass.
+    mass: Float,
+    /// Impulse of this sub-step.
+    pub lambda: Float,
+    /// What of it acted before the bodies were moved.
+    before_move: Float,
+    least: Float,
+    most: Float,
+    aim: Float,
+    scale: Float,
+}
+
+/// Whether a law puts no bound on the impulse.
+#[must_use]
+pub fn is_unbounded(law: &Law) -> bool {
+    match law {
+        Law::Equal => true,
+        Law::AtLeast | Law::Motor { .. } => false,
+        Law::Spring { force, .. } => force[0] == Float::NEG_INFINITY && force[1] == Float::INFINITY,
+    }
+}
+
+impl SolverRow {
+    /// A row without impulse; `h` is the sub-step \[s\].
+    pub fn new(draft: &JointRow, joint: &Joint, bodies: [u32; 4], h: Float) -> Self {
+        let mut law = draft.law;
+        if law == Law::Equal && joint.hertz > 0.0 {
+            let force = [Float::NEG_INFINITY, Float::INFINITY];
+            law = Law::Spring { hertz: joint.hertz, damping_ratio: joint.damping_ratio, force };
+        }
+        let (least, most) = match law {
+            Law::Equal => (Float::NEG_INFINITY, Float::INFINITY),
+            Law::AtLeast => (0.0, Float::INFINITY),
+            Law::Spring { force, .. } => (force[0] * h, force[1] * h),
+            Law::Motor { max, .. } => (-max * h, max * h),
+        };
+        let oscillator = match law {
+            Law::Spring { hertz, damping_ratio, .. } => Oscillator::new(hertz, damping_ratio, h),
+            _ => Oscillator::default(),
+        };
+        Self {
+            bodies,
+            sides: draft.sides,
+            turn: [Vec3::zeros(); 2],
+            more: draft.more,
+            law,
+            unbounded: is_unbounded(&law),
+            angular: draft.angular,
+            c: draft.c,
+            start: [0.0; 2],
+            oscillator,
+            mass: 0.0,
+            lambda: 0.0,
+            before_move: 0.0,
+            least,
+            most,
+            aim: 0.0,
+            scale: 1.0,
+        }
+    }
+
+    /// Takes error and Jacobian from a draft of the same row.
+    pub fn place(&mut self, draft: &JointRow, rows: &Rows) {
+        self.sides = draft.sides;
+        self.more = draft.more;
+        self.c = draft.c;
+        self.weigh(rows);
+    }
+
+    /// Takes how its bodies yield.
+    pub fn weigh(&mut self, rows: &Rows) {
+        for k in 0..2 {
+            self.turn[k] = rows.inertia[self.bodies[k] as usize].times(self.sides[k].angular);
+        }
+        let k = single(self.coupling(self, rows));
+        self.mass = if k > 0.0 { 1.0 / k } else { 0.0 };
+    }
+
+    /// The sides with their bodies.
+    #[inline]
+    fn parts(&self) -> impl Iterator<Item = (usize, &Side)> {
+        let more = self.more.iter().flatten();
+        self.bodies.iter().map(|&b| b as usize).zip(self.sides.iter().chain(more)).filter(|p| p.0 != 0)
+    }
+
+    /// Ċ.
+    #[inline]
+    pub fn speed(&self, rows: &Rows) -> Float {
+        self.parts().fold(0.0, |sum, (b, side)| {
+            let row = &rows.row[b];
+            sum + (side.linear.dot(&row.v()) + side.angular.dot(&row.w()))
+        })
+    }
+
+    /// By how much Ċ is ahead of the mean speed over the sub-step, where bodies are moved by less than their velocity.
+    fn ahead(&self, rows: &Rows, lag: Float) -> Float {
+        self.parts().fold(0.0, |sum, (b, side)| {
+            let aux = &rows.aux[b];
+            if !aux.lags() {
+                return sum;
+            }
+            let turn = rows.inertia[b].times(aux.torque);
+            sum + (side.linear.dot(&aux.accel) + side.angular.dot(&turn)) * lag
+        })
+    }
+
+    /// Notes error and speed at the start of a sub-step.
+    pub fn note_start(&mut self, rows: &Rows) {
+        if let Law::Spring { .. } = self.law {
+            self.start = [self.c, self.speed(rows)];
+        }
+    }
+
+    /// How fast the error is pushed out.
+    fn push(&self, sub: &SubStep) -> Float {
+        let most = if self.angular { PUSH_SPEED_ANGULAR } else { PUSH_SPEED };
+        let push = (self.c * sub.inv_h).max(-most);
+        if self.law == Law::Equal { push.min(most) } else { push }
+    }
+
+    /// Sets what the row is after in this pass.
+    pub fn want(&mut self, pass: Pass, rows: &Rows, sub: &SubStep, lag: Float) {
+        (self.scale, self.aim) = match (self.law, pass) {
+            (Law::Equal | Law::AtLeast, Pass::Solve { predicted }) => {
+                (1.0, self.speed(rows) - self.push(sub) - (predicted - self.c) * sub.inv_h)
+            }
+            (Law::Equal | Law::AtLeast, Pass::Guess) => {
+                let push = self.push(sub);
+                (1.0, self.ahead(rows, lag) - push)
+            }
+            (Law::Equal, Pass::Relax) => (1.0, 0.0),
+            (Law::AtLeast, Pass::Relax) => (1.0, -self.c.max(0.0) * sub.inv_h),
+            (Law::Motor { speed, .. }, Pass::Guess | Pass::Solve { .. }) => {
+                (1.0, speed + self.ahead(rows, lag))
+            }
+            (Law::Motor { speed, .. }, Pass::Relax) => (1.0, speed),
+            (Law::Spring { .. }, pass) => {
+                // The acceleration by everything else is (Ċ without the spring − start) / h.
+                let (of, extra) = match pass {
+                    Pass::Guess | Pass::Solve { .. } => (self.oscillator.mean, self.ahead(rows, lag)),
+                    Pass::Relax => (self.oscillator.end, 0.0),
+                };
+                let per_speed = of[2] * sub.inv_h;
+                let aim = of[0] * self.start[0] + (of[1] - per_speed) * self.start[1] + extra;
+                (1.0 - per_speed, aim)
+            }
+        };
+    }
+
+    /// Applies the impulse `change`.
+    #[inline]
+    pub fn apply(&self, change: Float, rows: &mut Rows) {
+        for k in 0..2 {
+            let b = self.bodies[k] as usize;
+            if b == 0 {
+                continue;
+            }
+            let row = &mut rows.row[b];
+            let p = self.sides[k].linear * change;
+            row.set_v(row.v() + p * row.inv_mass());
+            row.set_w(row.w() + self.turn[k] * change);
+            let aux = &mut rows.aux[b];
+            aux.joint[0] += p;
+            aux.joint[1] += self.sides[k].angular * change;
+        }
+        for (side, &b) in self.more.iter().flatten().zip(&self.bodies[2..]) {
+            let b = b as usize;
+            if b == 0 {
+                continue;
+            }
+            let row = &mut rows.row[b];
+            let (p, l) = (side.linear * change, side.angular * change);
+            row.set_v(row.v() + p * row.inv_mass());
+            row.set_w(row.w() + rows.inertia[b].times(l));
+            let aux = &mut rows.aux[b];
+            aux.joint[0] += p;
+            aux.joint[1] += l;
+        }
+    }
+
+    /// Solves this row alone.
+    pub fn solve(&mut self, rows: &mut Rows) {
+        let free = self.scale * self.lambda + self.mass * (self.aim - self.scale * self.speed(rows));
+        let lambda = free.max(self.least).min(self.most);
+        let change = lambda - self.lambda;
+        self.lambda = lambda;
+        self.apply(change, rows);
+    }
+
+    /// The element of W between this row and another: what an impulse of one changes of the other's Ċ.
+    pub fn coupling(&self, other: &SolverRow, rows: &Rows) -> f64 {
+        let mut sum = 0.0;
+        for (a, side) in self.parts() {
+            for (k, (b, there)) in other.parts().enumerate() {
+                if a != b {
+                    continue;
+                }
+                let turn = if other.more.is_none() && other.bodies[0] != 0 && k < 2 {
+                    other.turn[k]
+                } else {
+                    rows.inertia[b].times(there.angular)
+                };
+                let linear = side.linear.dot(&there.linear) * rows.row[b].inv_mass();
+                sum += double(linear) + double(side.angular.dot(&turn));
+            }
+        }
+        sum
+    }
+
+    /// What softness adds to the diagonal of W.
+    pub fn compliance(&self) -> f64 {
+        if self.scale >= 1.0 {
+            return 0.0;
+        }
+        let scale = double(self.scale.max(1e-6));
+        (1.0 - scale) / (scale * double(self.mass.max(Float::MIN_POSITIVE)))
+    }
+
+    /// The right-hand side of W · change = …
+    pub fn right_side(&self, rows: &Rows) -> f64 {
+        let aim = double(self.aim) / double(self.scale.max(1e-6));
+        aim - double(self.speed(rows)) - self.compliance() * double(self.lambda)
+    }
+
+    /// The linear impulse on body A or B.
+    pub fn impulse_on(&self, side: usize) -> Vec3 {
+        self.sides[side].linear * self.lambda
+    }
+
+    /// Before the row is placed anew: adds what acted so far to the sums on B, and on B about `arm_b`.
+    pub fn add_before_move(&mut self, total: &mut Vec3, angular: &mut Vec3, arm_b: Vec3) {
+        self.before_move = self.lambda;
+        self.add(self.lambda, total, angular, arm_b);
+    }
+
+    /// Adds what acted since then.
+    pub fn add_after_move(&self, total: &mut Vec3, angular: &mut Vec3, arm_b: Vec3) {
+        self.add(self.lambda - self.before_move, total, angular, arm_b);
+    }
+
+    fn add(&self, impulse: Float, total: &mut Vec3, angular: &mut Vec3, arm_b: Vec3) {
+        let p = self.sides[1].linear * impulse;
+        *total += p;
+        *angular += self.sides[1].angular * impulse - arm_b.cross(&p);
+    }
+}
+
+/// Solves the unbounded rows of one joint as a block.
+pub fn solve_block(list: &mut [SolverRow], rows: &mut Rows) {
+    let mut index = [0; MAX_ROWS];
+    let mut d = 0;
+    for (i, row) in list.iter().enumerate() {
+        if row.unbounded {
+            index[d] = i;
+            d += 1;
+        }
+    }
+    let index = &index[..d];
+    let mut w = [0.0; MAX_BLOCK * MAX_BLOCK];
+    let (mut size, mut x) = ([0.0; MAX_BLOCK], [0.0; MAX_BLOCK]);
+    if d > MAX_BLOCK {
+        // More springs than a block has room for: one after another.
+        index.iter().for_each(|&i| list[i].solve(rows));
+        return;
+    }
+    for (r, &i) in index.iter().enumerate() {
+        for (c, &j) in index[..=r].iter().enumerate() {
+            w[r * d + c] = list[i].coupling(&list[j], rows);
+        }
+        w[r * d + r] += list[i].compliance();
+        size[r] = w[r * d + r];
+        x[r] = list[i].right_side(rows);
+    }
+    super::elimination::solve_dense(&mut w[..d * d], &size[..d], &mut x[..d]);
+    for (&i, &change) in index.iter().zip(&x) {
+        let change = single(change);
+        list[i].lambda += change;
+        list[i].apply(change, rows);
+    }
+}
+
+/// The most rows of a block: six hard ones and six springs.
+const MAX_BLOCK: usize = 12;
