@@ -59,7 +59,11 @@ fn a_box_on_a_slope() {
             let (_, v) = on_slope(solver, turn, 0.5, 0.55, 120);
             let angle = scalar::atan2(0.55, 1.0);
             let expected = G * (scalar::sin(angle) - 0.5 * scalar::cos(angle)) * 2.0;
-            println!("{}: slides: {v} m/s of {expected}: {:.3} %", solver.name(), (v / expected - 1.0) * 100.0);
+            println!(
+                "{}: slides: {v} m/s of {expected}: {:.3} %",
+                solver.name(),
+                (v / expected - 1.0) * 100.0
+            );
         }
     }
 }
@@ -103,5 +107,52 @@ fn bouncing() {
             (y, v) = (y1, v1);
         }
         println!("{}: {:?}", solver.name(), &peaks[..peaks.len().min(4)]);
+    }
+}
+
+#[test]
+fn dbg_env() {
+    let get = |k: &str, d: f64| std::env::var(k).ok().and_then(|v| v.parse().ok()).unwrap_or(d);
+    let solver = SolverKind::ALL[get("S", 2.0) as usize];
+    let n = get("N", 5.0) as usize;
+    let d = WorldDef {
+        solver_iterations: get("IT", 8.0) as u32,
+        contact_speed: get("PUSH", 3.0) as Float,
+        enable_warm_starting: get("WARM", 1.0) > 0.0,
+        ..def(solver)
+    };
+    let mut scene = Scene::new(&d, orientations()[get("TURN", 0.0) as usize]);
+    scene.floor(&surface(get("MU", 0.6) as Float, 0.0));
+    let bodies: Vec<BodyId> = (0..n)
+        .map(|i| {
+            let at = BodyDef::dynamic(vec3(0.0, 0.5 + i as Float, 0.0));
+            scene.add(&at, &surface(get("MU", 0.6) as Float, 0.0), cube())
+        })
+        .collect();
+    for _ in 0..get("STEPS", 6.0) as usize {
+        for _ in 0..get("EACH", 100.0) as usize {
+            scene.world.try_step(1.0 / 60.0, get("SUB", 4.0) as u32).unwrap();
+        }
+        let top = scene.position(bodies[n - 1]) - vec3(0.0, n as Float - 0.5, 0.0);
+        let r = scene.world.step_report();
+        println!(
+            "{:.1e} {:.1e} ov {:.1e} res {:.1e} failed {} {}",
+            top.y,
+            (top.x * top.x + top.z * top.z).sqrt(),
+            r.worst_penetration,
+            r.solve.residual,
+            r.solve.failed,
+            r.solve.failure.name()
+        );
+        if get("SHOW", 0.0) > 0.0 {
+            for &b in &bodies {
+                for c in scene.world.body(b).unwrap().contacts() {
+                    println!(
+                        "   {:?}",
+                        c.points.iter().map(|p| (p.normal_impulse, p.separation)).collect::<Vec<_>>()
+                    );
+                }
+            }
+        }
     }
 }

@@ -69,6 +69,7 @@ pub struct Dantzig {
     speed: Vec<f64>,
     right: Vec<f64>,
     trial: Vec<f64>,
+    kept: Vec<f64>,
     /// Of contact problems: scale of each row, first axis of each point, limits.
     scale: Vec<f64>,
     first_axis: Vec<Option<usize>>,
@@ -143,7 +144,13 @@ impl Dantzig {
                 let share = if round < ROUNDS / 3 { 1.0 } else { 0.5 };
                 let old = self.limit[k];
                 let new = old + share * (wanted - old);
-                moved = moved.max((wanted - old).abs() / self.scale[k]);
+                // Friction that stays within its limits does not care how they move.
+                let held = (first..first + axes).all(|j| {
+                    self.set[j] == Set::Between && self.x[j].abs() * self.scale[j] <= wanted * (1.0 + SETTLED)
+                });
+                if !held {
+                    moved = moved.max((wanted - old).abs() / self.scale[k]);
+                }
                 greatest = greatest.max(wanted / self.scale[k]);
                 self.limit[k] = new;
                 for j in first..first + axes {
@@ -443,19 +450,41 @@ impl Dantzig {
 
     /// With the sets as they are and the bounds as they are now: x_C from A_CC x_C = −b_C − A_CN x_N by refinement
     /// with the raised factor, and w. False where it leaves the bounds or the signs.
+    ///
+    /// Begun at x_C = 0 it shares a load that several rows can carry between them, and always in the same way, while
+    /// pivoting leaves it where it fell; begun at the present x it changes the least.
     fn refine(&mut self) -> bool {
+        if self.refine_from(true) && self.error() <= 1e-9 * self.size {
+            return true;
+        }
+        let error = self.error();
+        self.kept.clone_from(&self.x);
+        let inside = self.refine_from(false);
+        if error < self.error() {
+            std::mem::swap(&mut self.x, &mut self.kept);
+            self.measure();
+        }
+        inside
+    }
+
+    fn refine_from(&mut self, zero: bool) -> bool {
         let n = self.n;
         let mut trial = std::mem::take(&mut self.trial);
         trial.clear();
         trial.extend((0..n).map(|k| match self.set[k] {
             Set::Low => self.lo[k],
             Set::High => self.hi[k],
+            _ if zero => 0.0,
             _ => self.x[k],
         }));
-        for _ in 0..3 {
+        for _ in 0..8 {
             self.right.clear();
             for &k in &self.between {
                 self.right.push(-self.b[k] - dense::dot(&self.a[k * n..][..n], &trial));
+            }
+            let off = self.right.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+            if off <= 1e-13 * self.size {
+                break;
             }
             dense::cholesky_solve(&self.factor, n, &mut self.right);
             for (&k, &d) in self.between.iter().zip(&self.right) {
@@ -473,9 +502,15 @@ impl Dantzig {
             std::mem::swap(&mut self.x, &mut trial);
         }
         self.trial = trial;
+        self.measure();
+        inside
+    }
+
+    /// w = A x + b.
+    fn measure(&mut self) {
+        let n = self.n;
         self.w.clear();
         self.w.extend((0..n).map(|k| self.b[k] + dense::dot(&self.a[k * n..][..n], &self.x)));
-        inside
     }
 
     /// Whether the sets also hold with the present bounds; x and w are then those of them.

@@ -13,6 +13,7 @@ use super::lemke::Lemke;
 use super::points::{Point, apply, impulse, relative};
 use super::proximal_admm::{Options, ProximalAdmm};
 use super::rigid::Rigid;
+use super::rows::Rows;
 use super::{Settings, SolverKind};
 use crate::math::Vec3;
 use crate::math::scalar::{double, single};
@@ -81,8 +82,10 @@ impl Workspace {
         }
         if outcome.status.is_usable() {
             for (k, p) in step.points.points[island].iter_mut().enumerate() {
-                let l = three(&self.lambda, k);
-                p.lambda = [single(l.x), single(l.y), single(l.z)];
+                let (l, axes) = (three(&self.lambda, k), &self.arms[k].axes);
+                let whole = axes[0] * l.x + axes[1] * l.y + axes[2] * l.z;
+                p.lambda = p.axes.map(|axis| single(whole.dot(&wide(axis))));
+                p.lambda[0] = p.lambda[0].max(0.0);
                 apply(&mut step.rows.rows, p, impulse(p, p.lambda));
             }
         } else {
@@ -114,17 +117,18 @@ impl Workspace {
             }
         }));
         self.arms.clear();
-        self.arms.extend(points.iter().map(|p| arms_of(p, &own)));
+        self.arms.extend(points.iter().map(|p| arms_of(p, &own, &rows.rows)));
         self.problem.assemble(&self.arms, &self.masses);
         self.lambda.clear();
         for (k, p) in points.iter().enumerate() {
-            let v = relative(&rows.rows, p);
-            for i in 0..3 {
-                self.problem.b[3 * k + i] = double(v.dot(&p.axes[i])) - double(p.target[i]);
+            let v = wide(relative(&rows.rows, p) - impulse(p, p.target));
+            let keep = if settings.warm_starting && !p.bounces { 1.0 } else { 0.0 };
+            let last = wide(impulse(p, p.lambda)) * keep;
+            for (i, axis) in self.arms[k].axes.iter().enumerate() {
+                self.problem.b[3 * k + i] = v.dot(axis);
+                self.lambda.push(last.dot(axis));
             }
             self.problem.mu[k] = double(p.coefficient());
-            let keep = settings.warm_starting && !p.bounces;
-            self.lambda.extend(p.lambda.map(|l| if keep { double(l) } else { 0.0 }));
         }
         let facets = settings.friction_facets as usize;
         match settings.solver {
@@ -135,15 +139,25 @@ impl Workspace {
     }
 }
 
-/// A point in double precision, with its bodies' places in the island.
-fn arms_of(p: &Point, island: &Range<usize>) -> PointArms {
-    let wide = |v: Vec3| V::new(double(v.x), double(v.y), double(v.z));
+fn wide(v: Vec3) -> V {
+    V::new(double(v.x), double(v.y), double(v.z))
+}
+
+/// A point in double precision, with its bodies' places in the island. Its first tangent goes along the slip that there
+/// would be without contact impulses, so that a friction pyramid has a corner where it matters most.
+fn arms_of(p: &Point, island: &Range<usize>, rows: &Rows) -> PointArms {
+    let n = wide(p.axes[0]).normalize();
+    let slip = wide(relative(rows, p) - impulse(p, p.target));
+    let slip = slip - n * n.dot(&slip);
+    let given = wide(p.axes[1]);
+    let t = if slip.norm_squared() > 0.0 { slip.normalize() } else { given };
+    let t = (t - n * n.dot(&t)).normalize();
     PointArms {
         bodies: p.rows.map(|r| {
             let r = r as usize;
             if island.contains(&r) { r - island.start } else { IMMOVABLE }
         }),
-        axes: p.axes.map(wide),
+        axes: [n, t, n.cross(&t)],
         arms: p.arms.map(wide),
     }
 }

@@ -14,9 +14,12 @@
 //! middle is cos(π/F) of what it should be, and sliding turns to the nearest corner.
 //!
 //! The dictionary of n rows and n + 1 columns is pivoted in place, n² a pivot, and about n pivots are needed. At the
-//! end the basis is solved once more from the data, by LU with one refinement, so that rounding does not add up.
+//! end the basis is solved once more from the data, by LU with refinement, so that rounding does not add up.
 
 use super::contact_problem::{ContactProblem, Outcome, ROUGH, Status, dense, put_three};
+
+/// Walks from other directions, where rounding led one astray.
+const ATTEMPTS: usize = 4;
 
 /// Pivots with a column element below this share of the column's greatest are rounding.
 const PIVOT: f64 = 1e-11;
@@ -193,8 +196,24 @@ impl Lemke {
         }
     }
 
-    /// The walk, on `m` and `q`.
+    /// Walks, on `m` and `q`, until one arrives.
     fn run(&mut self) -> Outcome {
+        let mut outcome = self.walk(0);
+        for attempt in 1..ATTEMPTS {
+            if outcome.status.is_usable() || outcome.status == Status::NotFinite {
+                break;
+            }
+            let next = self.walk(attempt);
+            let worse = next.status == Status::IterationLimit;
+            outcome = Outcome {
+                iterations: outcome.iterations + next.iterations,
+                ..if worse { outcome } else { next }
+            };
+        }
+        outcome
+    }
+
+    fn walk(&mut self, attempt: usize) -> Outcome {
         let n = self.n;
         self.z.clear();
         self.z.resize(n, 0.0);
@@ -210,7 +229,7 @@ impl Lemke {
         self.rows.reserve(n * width);
         for i in 0..n {
             self.rows.extend_from_slice(&self.m[i * n..][..n]);
-            self.rows.push(1.0);
+            self.rows.push(cover(i, attempt));
         }
         self.constant.clear();
         self.constant.extend_from_slice(&self.q);
@@ -223,10 +242,11 @@ impl Lemke {
         self.place_of_w.extend(1..=n as isize);
 
         // z₀ comes in where q is lowest; of equal ones the last, which is lexicographically the lowest.
-        let first = (0..n).rev().min_by(|&i, &j| self.q[i].total_cmp(&self.q[j])).unwrap_or(0);
+        let depth = |i: usize| self.q[i] / cover(i, attempt);
+        let first = (0..n).rev().min_by(|&i, &j| depth(i).total_cmp(&depth(j))).unwrap_or(0);
         let mut column = n;
         let mut row = first;
-        let limit = 50 * n + 100;
+        let limit = 10 * n + 100;
         let mut pivots = 0;
         let status = loop {
             let leaving = self.basic[row];
@@ -387,13 +407,16 @@ impl Lemke {
         for (&i, &v) in self.active.iter().zip(&x) {
             self.polished[i] = v;
         }
-        for (place, &i) in self.active.iter().enumerate() {
-            self.right[place] = -self.q[i] - dense::dot(&self.m[i * n..][..n], &self.polished);
+        for _ in 0..2 {
+            for (place, &i) in self.active.iter().enumerate() {
+                self.right[place] = -self.q[i] - dense::dot(&self.m[i * n..][..n], &self.polished);
+            }
+            dense::lu_solve(&self.factors, size, &self.order, &self.right, &mut x);
+            for (&i, &v) in self.active.iter().zip(&x) {
+                self.polished[i] += v;
+            }
         }
-        dense::lu_solve(&self.factors, size, &self.order, &self.right, &mut x);
-        for (&i, &v) in self.active.iter().zip(&x) {
-            self.polished[i] = (self.polished[i] + v).max(0.0);
-        }
+        self.polished.iter_mut().for_each(|v| *v = v.max(0.0));
         self.correction = x;
         true
     }
@@ -405,6 +428,12 @@ impl Lemke {
             .map(|i| z[i].min(dense::dot(&self.m[i * n..][..n], z) + self.q[i]).abs())
             .fold(0.0, super::contact_problem::worse)
     }
+}
+
+/// The column of z₀: all ones at first, other positive numbers in later attempts.
+fn cover(i: usize, attempt: usize) -> f64 {
+    let golden = 0.618_033_988_749_894_9 * ((i + 1) * attempt) as f64;
+    1.0 + 0.5 * (golden - libm::floor(golden))
 }
 
 /// Whether a point needs friction rows.

@@ -26,11 +26,15 @@ use crate::constraint::{ContactStore, JointStore, contact::flags};
 use crate::integrate::turn_by;
 use crate::island::IslandStore;
 use crate::math::scalar::double;
-use crate::math::{Float, Vec3, any_tangent, rotate};
+use crate::math::{Float, Vec3, any_tangent, length, rotate};
 use std::ops::Range;
 
 /// Which share of an overlap is pushed out in a sub-step.
 const PUSH_OUT_SHARE: Float = 0.2;
+
+/// Which share of the gap of a point that carried load may close in a sub-step. Equal to the share of an overlap that is
+/// pushed out: so the sign of a hair's breadth makes no difference to what rests.
+const CLOSING_SHARE: Float = PUSH_OUT_SHARE;
 
 /// Points that slide slower than this when the sub-step begins are held by static friction \[m/s\].
 const STILL: Float = 1e-3;
@@ -169,12 +173,9 @@ impl Points {
             (true, false) => 1.0,
             (true, true) => (settings.h() / settings.last_h).min(GREATEST_GROWTH),
         };
-        let load: Float = contact.points().iter().map(|p| p.impulse).sum();
         for (k, point) in contact.points().iter().enumerate() {
             let arms = [point.anchor, point.anchor + offset];
-            // Friction is remembered for the whole manifold; each point takes its share by its load.
-            let share = if load > 0.0 { point.impulse / load } else { 0.0 };
-            let friction = contact.friction_impulse * (share * scale);
+            let friction = point.friction * scale;
             self.points.push(Point {
                 source: (index, k as u32),
                 rows: sides,
@@ -220,7 +221,9 @@ impl Points {
             let v = relative(&rows.rows, p);
             let slip = [v.dot(&p.axes[1]) + p.conveyor[0], v.dot(&p.axes[2]) + p.conveyor[1]];
             p.still = slip[0] * slip[0] + slip[1] * slip[1] <= STILL * STILL;
-            p.target = [-p.gap.max(0.0) * sub.inv_h, -p.conveyor[0], -p.conveyor[1]];
+            // A loaded point closes gently: a full stop in one sub-step would rock what stands on it.
+            let share = if p.lambda[0] > 0.0 { CLOSING_SHARE } else { 1.0 };
+            p.target = [-p.gap.max(0.0) * share * sub.inv_h, -p.conveyor[0], -p.conveyor[1]];
             let free = |i: usize| {
                 if rows.rows.aux[i].supported { Vec3::zeros() } else { rows.rows.aux[i].accel }
             };
@@ -290,10 +293,12 @@ impl Points {
         settings: &Settings,
     ) {
         let range = self.range(rows, batch);
+        // What a body falls in a sub-step may stay: pushing that out, too, would rock what stands.
+        let slop = 0.5 * length(settings.gravity) * sub.h * sub.h;
         let speed = |p: &Point| {
             let most =
                 if p.on_static { settings.push_out_on_static } else { settings.push_out_between_moving };
-            (-p.gap * PUSH_OUT_SHARE * sub.inv_h).min(most)
+            ((-p.gap - slop) * PUSH_OUT_SHARE * sub.inv_h).clamp(0.0, most)
         };
         if !self.points[range.clone()].iter().any(|p| speed(p) > 0.0) {
             return;
@@ -305,7 +310,7 @@ impl Points {
             for p in &mut self.points[range.clone()] {
                 let [a, b] = p.rows.map(|r| r as usize);
                 // A gap may close by as much as the velocities left of it; they were not asked to leave any.
-                let least = if p.gap > 0.0 { 0.0 } else { speed(p) };
+                let least = speed(p);
                 let at = |i: usize, side: usize| self.push[i][0] + self.push[i][1].cross(&p.arms[side]);
                 let v = p.axes[0].dot(&(at(b, 1) - at(a, 0)));
                 if p.k[0] <= 0.0 {
@@ -402,7 +407,8 @@ impl Points {
             }
             let point = &mut contact.points[p.source.1 as usize];
             (point.impulse, point.memory, point.total) = (p.lambda[0], p.lambda[0], p.total[0]);
-            contact.friction_impulse += p.axes[1] * p.lambda[1] + p.axes[2] * p.lambda[2];
+            point.friction = p.axes[1] * p.lambda[1] + p.axes[2] * p.lambda[2];
+            contact.friction_impulse += point.friction;
             contact.total_friction += p.axes[1] * p.total[1] + p.axes[2] * p.total[2];
         }
     }

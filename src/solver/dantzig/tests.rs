@@ -158,3 +158,28 @@ fn whatever_comes_in_a_named_status_comes_out() {
     let large = stack(&[1.0; 60]).problem(0.5);
     assert_eq!(dantzig.solve(&large, 8, &mut Vec::new()).status, Status::TooLarge);
 }
+
+/// Gaps are measured with rounding, so what touches at four corners is asked for slightly different velocities.
+#[test]
+fn noise_in_hyperstatic_contacts_does_no_harm() {
+    let mut random = Random(12);
+    let (mut failed, mut lambda) = (0, Vec::new());
+    let mut dantzig = Dantzig::default();
+    for round in 0..200 {
+        let mut scene = stack(&[1.0; 5]);
+        // Places rounded to single precision, and not.
+        let rounding = [0.0, 6e-8, 1e-4][round % 3];
+        for p in &mut scene.points {
+            p.arms.iter_mut().for_each(|arm| *arm += random.vec(rounding));
+        }
+        let mut problem = scene.problem(0.6);
+        let noise = [1e-9, 1e-7, 1e-5, 1e-3][round % 4];
+        problem.b.iter_mut().for_each(|b| *b += random.within(-noise, noise));
+        let outcome = dantzig.solve(&problem, 8, &mut lambda);
+        if !outcome.status.is_usable() {
+            println!("noise {noise:e}, {rounding:e}: {outcome:?}");
+            failed += 1;
+        }
+    }
+    assert_eq!(failed, 0);
+}
