@@ -178,7 +178,7 @@ impl World {
             residual,
             sub_steps: self.last_sub_steps,
             steps: self.counts.steps,
-            solve: self.work.report,
+            solve: SolveReport { solver: self.def.solver.resolved(), ..self.work.report },
             quarantined: self.counts.quarantined,
             counters: self.counters(),
             profile: self.profile,
@@ -247,6 +247,9 @@ impl World {
             for p in contact.points() {
                 hash.scalar(p.impulse);
                 hash.scalar(p.memory);
+                if p.friction != Vec3::zeros() {
+                    hash.vec(p.friction);
+                }
             }
             hash.vec(contact.friction_impulse);
             hash.scalar(contact.twist_impulse);

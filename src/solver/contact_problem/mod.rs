@@ -278,11 +278,11 @@ impl ContactProblem {
     }
 
     fn worst(&self, lambda: &[f64], corrected: bool) -> f64 {
-        let mut sigma = Vec::new();
-        self.velocity(lambda, &mut sigma);
+        let n = self.size();
         (0..self.count)
             .map(|k| {
-                let (s, l) = (three(&sigma, k), three(lambda, k));
+                let row = |i: usize| self.b[i] + dense::dot(&self.w[i * n..][..n], lambda);
+                let (s, l) = (V::new(row(3 * k), row(3 * k + 1), row(3 * k + 2)), three(lambda, k));
                 natural_error(&s, &l, self.friction(k), self.mobility(k), corrected)
             })
             .fold(0.0, worse)
