@@ -7,7 +7,7 @@ use common::Random;
 use merev::constraint::joint::{
     DistanceJoint, Drive, JointKind, PrismaticJoint, RevoluteJoint, SphericalJoint, Spring,
 };
-use merev::math::{length, vec3};
+use merev::math::{length, scalar, vec3};
 use merev::shape::MassData;
 use merev::world::{BodyDef, JointDef, WorldDef};
 use merev::{BodyId, Float, Mat3, Pose, Quat, Vec3, World};
@@ -75,18 +75,13 @@ fn tip(world: &World, q: &Quat, rod: BodyId, size: Float) -> Vec3 {
 #[test]
 fn a_pendulum_keeps_its_period_and_energy() {
     for q in turns() {
-        for (amplitude, period) in [(90.0, 2.367_841_9), (170.0, 4.893_524_3)] {
+        for (amplitude, period) in [(90.0, 2.367_842), (170.0, 4.893_524)] {
             let mut w = world(&q);
             let ground = fixed(&mut w, &q);
             let start = (amplitude as Float).to_radians();
-            let bob = body(
-                &mut w,
-                &q,
-                vec3(merev::math::scalar::sin(start), -merev::math::scalar::cos(start), 0.0),
-                1.0,
-                Vec3::repeat(1e-6),
-            );
-            let arm = -vec3(merev::math::scalar::sin(start), -merev::math::scalar::cos(start), 0.0);
+            let bob =
+                body(&mut w, &q, vec3(scalar::sin(start), -scalar::cos(start), 0.0), 1.0, Vec3::repeat(1e-6));
+            let arm = -vec3(scalar::sin(start), -scalar::cos(start), 0.0);
             let kind = JointKind::Revolute(RevoluteJoint::default());
             w.create_joint(&JointDef::new(kind, ground, bob).frames(at(Vec3::zeros()), at(arm))).unwrap();
             let energy = |w: &World| w.step_report().kinetic_energy + w.step_report().potential_energy;
@@ -161,7 +156,7 @@ fn a_hanging_chain_does_not_stretch() {
         for heavy in [1.0, 100.0, 1e3, 1e4, 1e5] {
             // Built hanging, to see what the load does.
             let mut w = world(&q);
-            let down = Quat::from_axis_angle(&Vec3::z_axis(), -merev::math::scalar::PI / 2.0);
+            let down = Quat::from_axis_angle(&Vec3::z_axis(), -scalar::PI / 2.0);
             let rods = chain(&mut w, &(q * down), 20, 0.2, heavy);
             for _ in 0..600 {
                 w.try_step(DT, 4).unwrap();
@@ -191,19 +186,20 @@ fn a_spring_swings_and_settles_as_asked() {
                 let kind =
                     JointKind::Prismatic(PrismaticJoint { drive: Drive { spring, ..Drive::default() } });
                 w.create_joint(&JointDef::new(kind, ground, weight)).unwrap();
-                let (omega, mut worst) = (2.0 * std::f64::consts::PI * f64::from(hertz as f32), 0.0_f64);
-                let zeta = f64::from(zeta as f32);
+                let (omega, mut worst) = (2.0 * std::f64::consts::PI * scalar::double(hertz), 0.0_f64);
+                let zeta = scalar::double(zeta);
                 for step in 1..=60 {
                     w.try_step(DT, 4).unwrap();
                     let x = (q.inverse() * w.body(weight).unwrap().world_center()).x;
                     let t = f64::from(step) / 60.0;
                     let exact = if zeta < 1.0 {
                         let wd = omega * (1.0 - zeta * zeta).sqrt();
-                        (-zeta * omega * t).exp() * ((wd * t).cos() + zeta * omega / wd * (wd * t).sin())
+                        libm::exp(-zeta * omega * t)
+                            * (libm::cos(wd * t) + zeta * omega / wd * libm::sin(wd * t))
                     } else {
-                        (-omega * t).exp() * (1.0 + omega * t)
+                        libm::exp(-omega * t) * (1.0 + omega * t)
                     };
-                    worst = worst.max((f64::from(x as f32) / 0.1 - exact).abs());
+                    worst = worst.max((scalar::double(x) / 0.1 - exact).abs());
                 }
                 println!(
                     "{hertz} Hz, ζ {zeta:.1}, f h {:.3}: off by {worst:.1e} of the start",
@@ -232,7 +228,7 @@ fn a_weight_on_a_spring_sags_as_it_should() {
         for _ in 0..600 {
             w.try_step(DT, 4).unwrap();
         }
-        let omega = 2.0 * merev::math::scalar::PI * 2.0;
+        let omega = 2.0 * scalar::PI * 2.0;
         let sag = -(q.inverse() * w.body(weight).unwrap().world_center()).y - 1.0;
         println!("sag {sag} m, wanted {}", G / (omega * omega));
         assert!((sag / (G / (omega * omega)) - 1.0).abs() < 1e-3);

@@ -149,6 +149,7 @@ impl World {
             total: Vec3::zeros(),
             total_angular: Vec3::zeros(),
             total_dt: 0.0,
+            push: 1.0,
         };
         if let JointKind::Gear(gear) | JointKind::RackPinion(gear) = def.kind {
             self.prepare_gear(&mut joint, &gear)?;
@@ -294,8 +295,11 @@ impl World {
         let joint = &self.joints.joints[index];
         if joint.ties() {
             let members: Vec<u32> = joint.members().collect();
-            for pair in members.windows(2) {
-                self.islands.unlink(pair[0], pair[1], &self.bodies.bodies);
+            let moving = |b: &u32| self.bodies.bodies[*b as usize].island != NONE;
+            if let Some(&first) = members.iter().find(|b| moving(b)) {
+                for &other in members.iter().filter(|&&b| b != first) {
+                    self.islands.unlink(first, other, &self.bodies.bodies);
+                }
             }
         }
     }

@@ -166,6 +166,23 @@ pub fn rotation_vector(q: &Quat) -> Vec3 {
     v * (2.0 * scalar::atan2(s, q.w * sign) / s)
 }
 
+/// The axes, in frame A, about which turns of B change the parts of the rotation vector `e`: the rows of
+/// 1 − ½ e× + (1/θ² − (1 + cos θ) / (2 θ sin θ)) e× e×.
+#[must_use]
+pub fn rotation_vector_axes(e: Vec3) -> [Vec3; 3] {
+    let t2 = e.dot(&e);
+    let k = if t2 < 1e-2 {
+        1.0 / 12.0 + t2 / 720.0
+    } else {
+        let t = t2.sqrt();
+        let (s, c) = scalar::sin_cos(t);
+        1.0 / t2 - (1.0 + c) / (2.0 * t * s.max(1e-3))
+    };
+    let cross = crate::math::skew(e);
+    let m = crate::math::Mat3::identity() - cross * 0.5 + cross * cross * k;
+    [0, 1, 2].map(|i| vec3(m[(i, 0)], m[(i, 1)], m[(i, 2)]))
+}
+
 /// The axis, in the world, that changes a twist about z: for unit axes a and b the rate is
 /// (ω_B − ω_A) · (a + b) / (1 + a · b).
 #[must_use]
@@ -205,6 +222,26 @@ mod tests {
             assert!(length(v - axis * angle) < 1e-5 * (1.0 + angle), "{angle}: {v}");
             let v = rotation_vector(&quat_about(axis, -angle));
             assert!(length(v + axis * angle) < 1e-5 * (1.0 + angle));
+        }
+    }
+
+    #[test]
+    fn the_axes_of_the_rotation_vector_are_its_gradient() {
+        for i in 0..100 {
+            let f = i as Float;
+            let q = quat_about(vec3(1.0, 0.3 * f - 4.0, 2.0 - 0.1 * f), 0.03 * f - 1.4);
+            let e = rotation_vector(&q);
+            let axes = rotation_vector_axes(e);
+            for k in 0..3 {
+                let mut w = Vec3::zeros();
+                w[k] = 1e-2;
+                let slope = (rotation_vector(&crate::math::turn(&q, w))
+                    - rotation_vector(&crate::math::turn(&q, -w)))
+                    / 2e-2;
+                for j in 0..3 {
+                    assert!((slope[j] - axes[j][k]).abs() < 1e-3, "{i}: {slope} {axes:?}");
+                }
+            }
         }
     }
 

@@ -3,7 +3,7 @@
 //! The linear ones are the parts of d (from the origin of frame A to that of B) along the axes of frame A, with
 //! impulses at the origin of frame B; the angular ones the parts of the rotation vector of B against A, each −π … π.
 
-use super::geometry::rotation_vector;
+use super::geometry::{in_world, rotation_vector, rotation_vector_axes};
 use super::parts::{Drive, about, along};
 use super::{Geometry, Law, Rows};
 use crate::error::Result;
@@ -53,8 +53,9 @@ impl SixDofJoint {
             let u = g.axis(0, k);
             emit_axis(&self.linear[k], along(u, arms), g.d.dot(&u), false, rows);
         }
+        let axes = rotation_vector_axes(turn);
         for k in 0..3 {
-            emit_axis(&self.angular[k], about(g.axis(0, k)), turn[k], true, rows);
+            emit_axis(&self.angular[k], about(in_world(&g.q[0], axes[k])), turn[k], true, rows);
         }
     }
 }

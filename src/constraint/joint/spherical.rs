@@ -12,7 +12,8 @@ use super::geometry::{in_world, rotation_vector, swing_twist, twist_axis};
 use super::parts::{Limit, Spring, at_most};
 use super::{Geometry, Law, Rows};
 use crate::error::{Result, check};
-use crate::math::{Float, Quat, Vec3, length, scalar::PI, vec3};
+use crate::math::scalar::{self, PI};
+use crate::math::{Float, Quat, Vec3, length, vec3};
 
 /// A ball joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,7 +114,7 @@ impl SphericalJoint {
         }
     }
 
-    /// The direction of the swing that leads out of the cone, in frame A, and how far it still may go.
+    /// The axis about which a turn leads straight out of the cone, in frame A, and how far it still may go.
     fn cone_row(&self, swing: Vec3) -> (Vec3, Float) {
         let inv = self.cone_angle.map(|a| 1.0 / a.max(NARROW));
         let (x, y) = (swing.x * inv[0], swing.y * inv[1]);
@@ -123,8 +124,14 @@ impl SphericalJoint {
         }
         let normal = vec3(x * inv[0], y * inv[1], 0.0);
         let normal = normal / length(normal);
-        // Along the normal: exact for a circle, first order for an ellipse.
-        (normal, (1.0 - rho) * (size / rho) * normal.dot(&(swing / size)))
+        // The swing's vector θ a changes along its axis a by ω · a, and across it, along z × a, by the turn of the
+        // plane in which z swings to b: by ω · (b × a) θ / sin θ.
+        let a = swing / size;
+        let (s, c) = scalar::sin_cos(size);
+        let b = a.cross(&Vec3::z()) * s + Vec3::z() * c;
+        let across = normal.dot(&Vec3::z().cross(&a)) * size / s.max(0.05);
+        let axis = a * normal.dot(&a) + b.cross(&a) * across;
+        (axis, (1.0 - rho) * (size / rho) * normal.dot(&a))
     }
 
     /// Where the first of the three rows of the motor stands among those of `emit`.

@@ -47,6 +47,8 @@ pub struct Joint {
     pub total_angular: Vec3,
     /// Length of the step they are of \[s\].
     pub total_dt: Float,
+    /// At what share of the full speed errors are pushed out: less where pushing does not help. By `solve`.
+    pub push: Float,
 }
 
 impl Joint {

@@ -13,8 +13,8 @@
 const MOST_PER_JOINT: u64 = 12_000;
 const MOST: u64 = 400_000;
 
-/// Below this share of its size before elimination a pivot is rounding.
-const REDUNDANT: f64 = 1e-10;
+/// Below this share of its least part before elimination a pivot is rounding.
+const REDUNDANT: f64 = 1e-6;
 
 /// What is known from the topology alone.
 #[derive(Clone, Debug, Default)]
@@ -148,12 +148,15 @@ impl Elimination {
         self.diagonal[position]
     }
 
-    /// Factors W in place: its lower blocks stand in `w` (rows of the later position first), its diagonal in `size`.
-    pub fn factor(&self, w: &mut [f64], size: &[f64]) {
+    /// Factors W in place: its lower blocks stand in `w` (rows of the later position first), its diagonal in `size`, and in
+    /// `least` the part of that which the least mobile body has: what is left of a pivot is never less, unless the row
+    /// is redundant.
+    pub fn factor(&self, w: &mut [f64], size: &[f64], least: &[f64]) {
         for i in 0..self.order.len() {
             let d = self.dim[i];
             let at = self.diagonal[i];
-            cholesky(&mut w[at..at + d * d], &size[self.start[i]..self.start[i] + d]);
+            let own = self.start[i]..self.start[i] + d;
+            cholesky(&mut w[at..at + d * d], &size[own.clone()], &least[own]);
             for &(k, block) in &self.later[i] {
                 // L_ki = A_ki C⁻ᵀ.
                 for r in 0..self.dim[k] {
@@ -232,7 +235,7 @@ impl Elimination {
 
 /// Solves one dense system in place: W in its lower triangle, its diagonal in `size`, the right-hand side in `x`.
 pub fn solve_dense(w: &mut [f64], size: &[f64], x: &mut [f64]) {
-    cholesky(w, size);
+    cholesky(w, size, size);
     let d = size.len();
     for r in 0..d {
         for e in 0..r {
@@ -248,15 +251,15 @@ pub fn solve_dense(w: &mut [f64], size: &[f64], x: &mut [f64]) {
     }
 }
 
-/// The Cholesky factor of a d × d block, in place in its lower triangle; `size` is its diagonal before elimination.
-fn cholesky(a: &mut [f64], size: &[f64]) {
+/// The Cholesky factor of a d × d block, in place in its lower triangle; see [`Elimination::factor`].
+fn cholesky(a: &mut [f64], size: &[f64], least: &[f64]) {
     let d = size.len();
     for c in 0..d {
         let mut pivot = a[c * d + c];
         for e in 0..c {
             pivot -= a[c * d + e] * a[c * d + e];
         }
-        if pivot <= REDUNDANT * size[c] {
+        if pivot <= REDUNDANT * least[c] || pivot <= f64::EPSILON * size[c] {
             pivot = if size[c] > 0.0 { size[c] } else { 1.0 };
         }
         let root = pivot.sqrt();
@@ -337,7 +340,7 @@ mod tests {
             }
         }
         let wanted = x.clone();
-        plan.factor(&mut w, &size);
+        plan.factor(&mut w, &size, &size);
         plan.solve(&w, &mut x);
         let mut after = vec![0.0; 6 * bodies];
         for p in 0..joints.len() {

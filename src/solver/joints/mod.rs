@@ -22,6 +22,7 @@ use crate::body::{BodyStore, NONE, SetId};
 use crate::constraint::joint::store::{coordinate, follow_turns};
 use crate::constraint::joint::{Angle, Geometry, JointKind, JointStore, Rows as Drafts};
 use crate::integrate::{Integrator, PrincipalAxes, with_integrator};
+use crate::math::scalar::double;
 use crate::math::{Float, Quat, Vec3, length, rotate};
 use crate::solver::bodies::Bodies;
 use crate::solver::rows::Rows;
@@ -52,6 +53,8 @@ struct Placed {
     parts: [u32; 2],
     total: Vec3,
     total_angular: Vec3,
+    /// At what share of the full speed errors are pushed out.
+    push: Float,
 }
 
 /// Joints that hang together.
@@ -63,6 +66,8 @@ struct Component {
     plan: Option<u32>,
     /// The solver rows of its bodies, in the list of members.
     members: Range<usize>,
+    /// Whether its joints contradicted each other in this sub-step.
+    damped: bool,
 }
 
 /// The joints of the step; nothing in it but plans outlives a step.
@@ -89,7 +94,13 @@ pub struct Workspace {
     load: Vec<[Float; 2]>,
     factor: Vec<f64>,
     size: Vec<f64>,
+    least: Vec<f64>,
     unknown: Vec<f64>,
+    wanted: Vec<f64>,
+    /// What unit impulses of bounded rows make the unbounded ones of their component do.
+    responses: Vec<f64>,
+    /// What the diagonal of the factored system was raised by.
+    damping: f64,
     /// How many rows the last step had.
     pub row_count: usize,
     /// How many joints.
@@ -283,6 +294,7 @@ impl Workspace {
                 parts,
                 total: Vec3::zeros(),
                 total_angular: Vec3::zeros(),
+                push: joint.push,
             };
             self.joints.push(placed);
             let place = self.joints.len() - 1;
@@ -314,6 +326,7 @@ impl Workspace {
             joints: start..self.joints.len(),
             plan: self.plan_of[group],
             members: first..kept,
+            damped: false,
         });
     }
 
@@ -348,10 +361,17 @@ impl Workspace {
     pub fn begin_sub_step(&mut self, batch: usize, bodies: &mut Bodies, settings: &Settings) {
         for c in self.batches[batch].clone() {
             self.bear_loads(c, bodies, settings.h(), 1.0);
+            let planned = self.components[c].plan.is_some();
+            let own = &self.joints[self.components[c].joints.clone()];
+            let troubled = self.components[c].damped || own.iter().any(|placed| placed.push < 1.0);
+            self.components[c].damped = false;
             for placed in &self.joints[self.components[c].joints.clone()] {
                 for row in &mut self.rows[placed.rows.clone()] {
                     row.note_start(&bodies.rows);
-                    if !settings.warm_starting {
+                    // What is solved at once needs no memory; where joints contradict each other it does harm.
+                    let remembers =
+                        if planned { !row.unbounded && (!troubled || !row.is_condensed()) } else { true };
+                    if !settings.warm_starting || !remembers {
                         row.lambda = 0.0;
                     }
                 }
@@ -409,8 +429,8 @@ impl Workspace {
     pub fn solve(&mut self, batch: usize, bodies: &mut Bodies, joints: &JointStore, sub: &SubStep) {
         let lag = with_integrator!(sub.integrator, I => I::LAG * sub.h);
         for c in self.batches[batch].clone() {
-            // Last sub-step's impulses point where the joints were: on a light body they would give a wild guess.
-            // With a plan the velocities are brought in order first, at the price of one more back-substitution.
+            // With a plan the velocities are brought in order first, at the price of one more back-substitution: what
+            // lies ahead is then nearly right, on light bodies, too.
             let planned = self.components[c].plan.is_some();
             if planned {
                 for place in self.components[c].joints.clone() {
@@ -418,7 +438,7 @@ impl Workspace {
                         row.want(Pass::Guess, &bodies.rows, sub, lag);
                     }
                 }
-                self.impulses(c, &mut bodies.rows, true);
+                self.impulses(c, &mut bodies.rows, true, Aim::Push);
             }
             // A load that comes at once, such as the first one, is borne at once.
             let heavier = planned && self.bear_loads(c, bodies, sub.h, 4.0);
@@ -432,7 +452,7 @@ impl Workspace {
                     row.want(Pass::Solve { predicted: draft.c }, &bodies.rows, sub, lag);
                 }
             }
-            self.impulses(c, &mut bodies.rows, heavier || !planned);
+            self.impulses(c, &mut bodies.rows, heavier || !planned, Aim::Bend);
         }
     }
 
@@ -445,21 +465,37 @@ impl Workspace {
                     (row.dx(), row.dq())
                 };
                 let placed = &mut self.joints[place];
+                let (mut error, mut asked) = (0.0, 0.0);
                 for row in &mut self.rows[placed.rows.clone()] {
                     row.add_before_move(&mut placed.total, &mut placed.total_angular, placed.arm_b);
+                    let (e, a) = row.error(sub);
+                    error += e;
+                    asked += a;
                 }
                 let geometry = placed.geometry(moved);
                 placed.arm_b = geometry.arm[1];
                 let joint = &joints.joints[placed.joint as usize];
                 follow_turns(&joint.kind, &geometry, &mut placed.turns);
                 self.write_drafts(place, joints, moved);
-                let placed = &self.joints[place];
+                let placed = &mut self.joints[place];
+                let mut left = 0.0;
                 for (row, draft) in self.rows[placed.rows.clone()].iter_mut().zip(&self.drafts.rows) {
                     row.place(draft, &bodies.rows);
                     row.want(Pass::Relax, &bodies.rows, sub, 0.0);
+                    left += row.error(sub).0;
+                }
+                // Velocities can always be brought in order, places not: joints that contradict each other would be
+                // pushed for ever. Where an error does not go, the push does.
+                placed.push = if asked > STUBBORN && error - left < 0.3 * asked {
+                    0.5 * placed.push
+                } else {
+                    (1.5 * placed.push).min(1.0)
+                };
+                for row in &mut self.rows[placed.rows.clone()] {
+                    row.share = placed.push;
                 }
             }
-            self.impulses(c, &mut bodies.rows, true);
+            self.impulses(c, &mut bodies.rows, true, Aim::Rest);
             for place in self.components[c].joints.clone() {
                 let placed = &mut self.joints[place];
                 for row in &self.rows[placed.rows.clone()] {
@@ -493,43 +529,166 @@ impl Workspace {
         }
     }
 
-    /// One sweep over the rows of a component; without `factor` its system is that of the last call.
-    fn impulses(&mut self, component: usize, rows: &mut Rows, factor: bool) {
-        let Component { joints, plan, .. } = self.components[component].clone();
-        for place in joints.clone() {
-            let range = self.joints[place].rows.clone();
-            for row in self.rows[range.clone()].iter_mut().filter(|r| !r.unbounded) {
-                row.solve(rows);
-            }
-            if plan.is_none() {
+    /// The impulses of a pass over a component; without `factor` its system is that of the last call.
+    fn impulses(&mut self, component: usize, rows: &mut Rows, factor: bool, aim: Aim) {
+        let Component { joints, plan, members, .. } = self.components[component].clone();
+        let Some(plan) = plan else {
+            for place in joints {
+                let range = self.joints[place].rows.clone();
+                for row in self.rows[range.clone()].iter_mut().filter(|r| !r.unbounded) {
+                    row.solve(rows);
+                }
                 row::solve_block(&mut self.rows[range], rows);
             }
+            return;
+        };
+        let range = self.joints[joints.start].rows.start..self.joints[joints.end - 1].rows.end;
+        if factor {
+            self.responses.clear();
+            self.rows[range.clone()].iter_mut().for_each(SolverRow::forget_response);
         }
-        if let Some(plan) = plan {
+        self.solve_at_once(plan, joints.clone(), members.clone(), rows, factor, aim);
+        let energy = energy_within_reach(&self.members[members.clone()], rows, Aim::Push);
+        for _ in 0..ROUNDS {
+            let (mut moved, mut disturbed) = (false, false);
+            for k in range.clone() {
+                if self.rows[k].unbounded || !self.rows[k].wants_change(rows) {
+                    continue;
+                }
+                if self.rows[k].is_condensed() {
+                    moved |= self.solve_condensed(k, plan, joints.clone(), rows, energy);
+                } else {
+                    disturbed |= self.rows[k].solve(rows);
+                }
+            }
+            if disturbed {
+                self.solve_at_once(plan, joints.clone(), members.clone(), rows, false, aim);
+            }
+            if !moved && !disturbed {
+                break;
+            }
+        }
+        self.components[component].damped |= self.damping > 0.0;
+    }
+
+    /// Solves a bounded row together with what its impulse makes the unbounded rows of its component do: these stay
+    /// solved. Says whether its impulse changed by more than a little.
+    fn solve_condensed(
+        &mut self,
+        k: usize,
+        plan: u32,
+        joints: Range<usize>,
+        rows: &mut Rows,
+        energy: f64,
+    ) -> bool {
+        let n = self.plans[plan as usize].unknowns();
+        if self.rows[k].response.is_none() {
             let plan = &self.plans[plan as usize];
-            let list = &self.joints[joints];
-            if factor {
+            let list = &self.joints[joints.clone()];
+            let row = &self.rows[k];
+            let start = self.responses.len();
+            let mut y = std::mem::take(&mut self.unknown);
+            y.clear();
+            y.extend(self.hard_order(plan, list).map(|hard| -hard.coupling(row, rows)));
+            let mut coupling = std::mem::take(&mut self.wanted);
+            coupling.clear();
+            coupling.extend_from_slice(&y);
+            plan.solve(&self.factor, &mut y);
+            let with: f64 = y.iter().zip(&coupling).map(|(a, b)| a * b).sum();
+            self.responses.extend_from_slice(&y);
+            (self.unknown, self.wanted) = (y, coupling);
+            let mobility = self.rows[k].coupling(&self.rows[k], rows) - with;
+            self.rows[k].set_response(start, mobility);
+        }
+        let start = self.rows[k].response.expect("set above");
+        let change = self.rows[k].change(rows, energy);
+        if change == 0.0 {
+            return false;
+        }
+        self.rows[k].lambda += change;
+        self.rows[k].apply(change, rows);
+        let plan = &self.plans[plan as usize];
+        let mut y = self.responses[start..start + n].iter();
+        for &node in &plan.order {
+            let placed = &self.joints[joints.start + node as usize];
+            for row in self.rows[placed.rows.clone()].iter_mut().filter(|r| r.unbounded) {
+                let also = crate::math::scalar::single(y.next().expect("one for each") * double(change));
+                row.lambda += also;
+                row.apply(also, rows);
+            }
+        }
+        change.abs() > 1e-4 * self.rows[k].lambda.abs()
+    }
+
+    /// The unbounded rows of a component, in the order of its plan.
+    fn hard_order<'a>(
+        &'a self,
+        plan: &'a Elimination,
+        list: &'a [Placed],
+    ) -> impl Iterator<Item = &'a SolverRow> {
+        plan.order
+            .iter()
+            .flat_map(|&node| self.rows[list[node as usize].rows.clone()].iter().filter(|r| r.unbounded))
+    }
+
+    /// Solves the unbounded rows of a component at once.
+    fn solve_at_once(
+        &mut self,
+        plan: u32,
+        joints: Range<usize>,
+        members: Range<usize>,
+        rows: &mut Rows,
+        factor: bool,
+        aim: Aim,
+    ) {
+        let plan = &self.plans[plan as usize];
+        let list = &self.joints[joints];
+        self.wanted.clear();
+        for &node in &plan.order {
+            let own = self.rows[list[node as usize].rows.clone()].iter().filter(|r| r.unbounded);
+            self.wanted.extend(own.map(|row| row.right_side(rows)));
+        }
+        if factor {
+            self.damping = 0.0;
+        }
+        let mut energy = energy_within_reach(&self.members[members], rows, aim);
+        for (row, wanted) in self.hard_order(plan, list).zip(&self.wanted) {
+            energy += row.spring_energy(*wanted);
+        }
+        loop {
+            if factor || self.damping > 0.0 {
                 self.factor.clear();
                 self.factor.resize(plan.values(), 0.0);
                 self.size.clear();
                 self.size.resize(plan.unknowns(), 0.0);
-                assemble(plan, list, &self.rows, rows, &mut self.factor, &mut self.size);
-                plan.factor(&mut self.factor, &self.size);
+                self.least.clear();
+                self.least.resize(plan.unknowns(), 0.0);
+                let [w, size, least] = [&mut self.factor, &mut self.size, &mut self.least];
+                assemble(plan, list, &self.rows, rows, self.damping, w, size, least);
+                plan.factor(&mut self.factor, &self.size, &self.least);
             }
             self.unknown.clear();
-            for &node in &plan.order {
-                let own = self.rows[list[node as usize].rows.clone()].iter().filter(|r| r.unbounded);
-                self.unknown.extend(own.map(|row| row.right_side(rows)));
-            }
+            self.unknown.extend_from_slice(&self.wanted);
             plan.solve(&self.factor, &mut self.unknown);
-            for (position, &node) in plan.order.iter().enumerate() {
-                let placed = &list[node as usize];
-                let own = self.rows[placed.rows.clone()].iter_mut().filter(|r| r.unbounded);
-                for (row, &change) in own.zip(&self.unknown[plan.start(position)..]) {
-                    let change = crate::math::scalar::single(change);
-                    row.lambda += change;
-                    row.apply(change, rows);
-                }
+            // Joints that contradict each other make a system next to singular, whose answer would tear them apart:
+            // what hard rows do to velocities takes no more energy than there is.
+            let work: f64 = self.wanted.iter().zip(&self.unknown).map(|(a, b)| a * b).sum();
+            if work <= energy {
+                break;
+            }
+            if self.damping >= 1.0 {
+                self.unknown.iter_mut().for_each(|x| *x *= energy / work);
+                break;
+            }
+            self.damping = if self.damping == 0.0 { 1e-4 } else { self.damping * 100.0 };
+        }
+        for (position, &node) in plan.order.iter().enumerate() {
+            let placed = &list[node as usize];
+            let own = self.rows[placed.rows.clone()].iter_mut().filter(|r| r.unbounded);
+            for (row, &change) in own.zip(&self.unknown[plan.start(position)..]) {
+                let change = crate::math::scalar::single(change);
+                row.lambda += change;
+                row.apply(change, rows);
             }
         }
     }
@@ -542,6 +701,7 @@ impl Workspace {
                 *impulse = row.lambda;
             }
             joint.turns = placed.turns;
+            joint.push = placed.push;
             (joint.total, joint.total_angular) = (placed.total, placed.total_angular);
             joint.total_dt = dt;
         }
@@ -564,14 +724,54 @@ impl Placed {
     }
 }
 
-/// Fills W of a component, and its diagonal.
+/// How often bounded and unbounded rows of a component are solved in turn, at most: until the bounded ones stay.
+const ROUNDS: usize = 4;
+
+/// Errors that a sub-step is to lessen by less than this \[m, rad\] are what is left of rounding and of motion.
+const STUBBORN: Float = 1e-4;
+
+/// What hard rows are solved for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Aim {
+    /// To push errors out.
+    Push,
+    /// To bend the way of bodies to their circles.
+    Bend,
+    /// To take velocities away.
+    Rest,
+}
+
+/// How much |Δv|² (by mass) hard rows may do to some bodies: to take velocities away it is at most |v|², to bend a way
+/// by a quarter of a radian a sub-step less; pushing adds what its speed makes of the masses.
+fn energy_within_reach(members: &[u32], rows: &Rows, aim: Aim) -> f64 {
+    let (share, push) = match aim {
+        Aim::Push => (2.0, 2.0),
+        Aim::Bend => (0.5, 1e-6),
+        Aim::Rest => (1.1, 1e-6),
+    };
+    members.iter().fold(0.0, |sum, &m| {
+        let (row, aux) = (&rows.row[m as usize], &rows.aux[m as usize]);
+        if row.inv_mass() == 0.0 {
+            return sum;
+        }
+        let (v, w) = (row.v(), row.w());
+        let fast = push * row::PUSH_SPEED * row::PUSH_SPEED + share * v.dot(&v);
+        let turning = share * w.dot(&w) + push * row::PUSH_SPEED_ANGULAR * row::PUSH_SPEED_ANGULAR;
+        sum + double(fast / row.inv_mass()) + double(turning * aux.moments.max())
+    })
+}
+
+/// Fills W of a component, its diagonal, and the least part of that by one body.
+#[allow(clippy::too_many_arguments)]
 fn assemble(
     plan: &Elimination,
     list: &[Placed],
     solver_rows: &[SolverRow],
     rows: &Rows,
+    damping: f64,
     w: &mut [f64],
     size: &mut [f64],
+    least: &mut [f64],
 ) {
     for (position, &node) in plan.order.iter().enumerate() {
         let placed = &list[node as usize];
@@ -582,8 +782,9 @@ fn assemble(
             for (c, other) in own().enumerate().take(r + 1) {
                 w[at + r * d + c] = row.coupling(other, rows);
             }
-            w[at + r * d + r] += row.compliance();
+            w[at + r * d + r] = w[at + r * d + r] * (1.0 + damping) + row.compliance();
             size[start + r] = w[at + r * d + r];
+            least[start + r] = row.least_share(rows) + row.compliance();
         }
     }
     for (k, l, at) in plan.blocks() {

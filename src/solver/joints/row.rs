@@ -8,9 +8,9 @@ use crate::solver::SubStep;
 use crate::solver::rows::Rows;
 
 /// Errors are pushed out at no more than this \[m/s\].
-const PUSH_SPEED: Float = 4.0;
+pub const PUSH_SPEED: Float = 4.0;
 /// The same for angles \[rad/s\].
-const PUSH_SPEED_ANGULAR: Float = 8.0;
+pub const PUSH_SPEED_ANGULAR: Float = 8.0;
 
 /// What a pass is after.
 #[derive(Clone, Copy, Debug)]
@@ -42,14 +42,20 @@ pub struct SolverRow {
     /// Whether λ has no bounds: hard rows and springs of any strength.
     pub unbounded: bool,
     angular: bool,
+    /// At what share of the full speed the error is pushed out.
+    pub share: Float,
     /// The error, where the Jacobian was taken.
     c: Float,
     /// Error and Ċ when the sub-step began, for springs.
     start: [Float; 2],
     /// Motion of its spring.
     oscillator: Oscillator,
-    /// Effective mass.
+    /// Effective mass of the row alone.
     mass: Float,
+    /// What a unit impulse does to Ċ with the unbounded rows of its component following.
+    mobility: f64,
+    /// Where what they do stands.
+    pub response: Option<usize>,
     /// Impulse of this sub-step.
     pub lambda: Float,
     /// What of it acted before the bodies were moved.
@@ -96,10 +102,13 @@ impl SolverRow {
             law,
             unbounded: is_unbounded(&law),
             angular: draft.angular,
+            share: joint.push,
             c: draft.c,
             start: [0.0; 2],
             oscillator,
             mass: 0.0,
+            mobility: 0.0,
+            response: None,
             lambda: 0.0,
             before_move: 0.0,
             least,
@@ -163,7 +172,7 @@ impl SolverRow {
 
     /// How fast the error is pushed out.
     fn push(&self, sub: &SubStep) -> Float {
-        let most = if self.angular { PUSH_SPEED_ANGULAR } else { PUSH_SPEED };
+        let most = self.share * if self.angular { PUSH_SPEED_ANGULAR } else { PUSH_SPEED };
         let push = (self.c * sub.inv_h).max(-most);
         if self.law == Law::Equal { push.min(most) } else { push }
     }
@@ -228,13 +237,55 @@ impl SolverRow {
         }
     }
 
-    /// Solves this row alone.
-    pub fn solve(&mut self, rows: &mut Rows) {
+    /// Whether the row is solved with the unbounded ones of its component following: what has no or a great bound.
+    /// Friction yields anyway.
+    pub fn is_condensed(&self) -> bool {
+        match self.law {
+            Law::Motor { speed, max } => speed != 0.0 || max == Float::INFINITY,
+            _ => true,
+        }
+    }
+
+    /// Whether it would change at all: most limits are far away.
+    pub fn wants_change(&self, rows: &Rows) -> bool {
+        let free = self.mass * (self.aim - self.scale * self.speed(rows));
+        self.lambda != 0.0 || free.max(self.least).min(self.most) != 0.0
+    }
+
+    /// Nothing is known of what the others do.
+    pub fn forget_response(&mut self) {
+        self.response = None;
+    }
+
+    /// What the others do stands there, and leaves the row this mobility.
+    pub fn set_response(&mut self, at: usize, mobility: f64) {
+        self.response = Some(at);
+        // Where the others leave it nothing to move, an impulse would only be rounding.
+        let least = 1e-6 / double(self.mass.max(Float::MIN_POSITIVE));
+        self.mobility = if mobility > least { mobility } else { f64::INFINITY };
+    }
+
+    /// By how much the impulse has to change, the others following; it adds no more than this energy.
+    pub fn change(&self, rows: &Rows, energy: f64) -> Float {
+        let wanted = self.right_side(rows);
+        let change = wanted / (self.mobility + self.compliance());
+        let work = change * wanted;
+        let reach = energy + self.spring_energy(wanted);
+        let free = self.lambda + single(if work > reach { change * (reach / work) } else { change });
+        free.max(self.least).min(self.most) - self.lambda
+    }
+
+    /// Solves this row alone; says whether its impulse changed by more than a little.
+    pub fn solve(&mut self, rows: &mut Rows) -> bool {
         let free = self.scale * self.lambda + self.mass * (self.aim - self.scale * self.speed(rows));
         let lambda = free.max(self.least).min(self.most);
         let change = lambda - self.lambda;
         self.lambda = lambda;
+        if change == 0.0 {
+            return false;
+        }
         self.apply(change, rows);
+        change.abs() > 1e-4 * lambda.abs()
     }
 
     /// The element of W between this row and another: what an impulse of one changes of the other's Ċ.
@@ -257,6 +308,24 @@ impl SolverRow {
         sum
     }
 
+    /// The least part that one of the bodies has in the row's own element of W.
+    pub fn least_share(&self, rows: &Rows) -> f64 {
+        self.parts().fold(f64::INFINITY, |least, (b, side)| {
+            let turn = rows.inertia[b].times(side.angular);
+            let linear = double(side.linear.dot(&side.linear) * rows.row[b].inv_mass());
+            let share = linear + double(side.angular.dot(&turn));
+            if share > 0.0 { least.min(share) } else { least }
+        })
+    }
+
+    /// For a spring that wants this of the system: about twice the energy it may add.
+    pub fn spring_energy(&self, wanted: f64) -> f64 {
+        match self.law {
+            Law::Spring { .. } => 4.0 * wanted * wanted * double(self.mass),
+            _ => 0.0,
+        }
+    }
+
     /// What softness adds to the diagonal of W.
     pub fn compliance(&self) -> f64 {
         if self.scale >= 1.0 {
@@ -270,6 +339,16 @@ impl SolverRow {
     pub fn right_side(&self, rows: &Rows) -> f64 {
         let aim = double(self.aim) / double(self.scale.max(1e-6));
         aim - double(self.speed(rows)) - self.compliance() * double(self.lambda)
+    }
+
+    /// The error that a hard row or a limit has, and how much of it the sub-step is to take away.
+    pub fn error(&self, sub: &SubStep) -> (Float, Float) {
+        let error = match self.law {
+            Law::Equal => self.c.abs(),
+            Law::AtLeast => (-self.c).max(0.0),
+            _ => 0.0,
+        };
+        (error, if error > 0.0 { self.push(sub).abs() * sub.h } else { 0.0 })
     }
 
     /// The linear impulse on body A or B.
@@ -310,7 +389,9 @@ pub fn solve_block(list: &mut [SolverRow], rows: &mut Rows) {
     let (mut size, mut x) = ([0.0; MAX_BLOCK], [0.0; MAX_BLOCK]);
     if d > MAX_BLOCK {
         // More springs than a block has room for: one after another.
-        index.iter().for_each(|&i| list[i].solve(rows));
+        index.iter().for_each(|&i| {
+            list[i].solve(rows);
+        });
         return;
     }
     for (r, &i) in index.iter().enumerate() {
