@@ -74,7 +74,9 @@ fn measure(entry: Entry, densities: &[Float], steps: usize) -> String {
     let drift = bodies
         .iter()
         .enumerate()
-        .map(|(i, &b)| length(world.body(b).expect("alive").world_center() - vec3(0.0, 0.5 + i as Float, 0.0)))
+        .map(|(i, &b)| {
+            length(world.body(b).expect("alive").world_center() - vec3(0.0, 0.5 + i as Float, 0.0))
+        })
         .fold(0.0, Float::max);
     let laws = if entry.solver == SolverKind::SoftStep {
         "not measured".to_owned()

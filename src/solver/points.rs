@@ -36,7 +36,11 @@ const PUSH_OUT_SHARE: Float = 0.2;
 /// pushed out: so the sign of a hair's breadth makes no difference to what rests.
 const CLOSING_SHARE: Float = PUSH_OUT_SHARE;
 
-/// Points that slide slower than this when the sub-step begins are held by static friction \[m/s\].
+/// Points that slide slower than this share of |g| h when the sub-step begins are held by static friction: one sub-step
+/// of weight that was not yet answered in full is no sliding.
+const STILL_SHARE: Float = 0.5;
+
+/// The same without gravity \[m/s\].
 const STILL: Float = 1e-3;
 
 /// See soft_step: after a far shorter step impulses are not grown in full.
@@ -210,8 +214,9 @@ impl Points {
     }
 
     /// Gaps and targets, before forces act.
-    pub fn begin(&mut self, rows: &Bodies, batch: usize, sub: &SubStep) {
+    pub fn begin(&mut self, rows: &Bodies, batch: usize, sub: &SubStep, settings: &Settings) {
         let range = self.range(rows, batch);
+        let still = STILL.max(STILL_SHARE * length(settings.gravity) * sub.h);
         for p in &mut self.points[range] {
             let [a, b] = p.rows.map(|r| r as usize);
             let (row_a, row_b) = (&rows.rows.row[a], &rows.rows.row[b]);
@@ -220,7 +225,7 @@ impl Points {
             p.gap = p.separation + p.axes[0].dot(&(moved_b - moved_a));
             let v = relative(&rows.rows, p);
             let slip = [v.dot(&p.axes[1]) + p.conveyor[0], v.dot(&p.axes[2]) + p.conveyor[1]];
-            p.still = slip[0] * slip[0] + slip[1] * slip[1] <= STILL * STILL;
+            p.still = slip[0] * slip[0] + slip[1] * slip[1] <= still * still;
             // A loaded point closes gently: a full stop in one sub-step would rock what stands on it.
             let share = if p.lambda[0] > 0.0 { CLOSING_SHARE } else { 1.0 };
             p.target = [-p.gap.max(0.0) * share * sub.inv_h, -p.conveyor[0], -p.conveyor[1]];
@@ -262,7 +267,7 @@ impl Points {
                 let v = relative(&rows.rows, p);
                 let slip = [v.dot(&p.axes[1]) - p.target[1], v.dot(&p.axes[2]) - p.target[2]];
                 let old = [p.lambda[1], p.lambda[2]];
-                let new = friction_step(old, slip, [k11, k12, k22], p.friction.map(|mu| mu * p.lambda[0]));
+                let new = friction_step(old, slip, [k11, k12, k22], p.coefficient() * p.lambda[0]);
                 (p.lambda[1], p.lambda[2]) = (new[0], new[1]);
                 apply(&mut rows.rows, p, p.axes[1] * (new[0] - old[0]) + p.axes[2] * (new[1] - old[1]));
             }
@@ -488,14 +493,14 @@ fn reflect(gap: Float, v: Float, accel: Float, restitution: Float, sub: &SubStep
     if leaves > 0.0 && target > 0.0 { Some(target) } else { None }
 }
 
-/// New friction from the present one, the slip, the block (11, 12, 22) and the static and sliding limits: by the
-/// inverse of the block where the static limit allows it, else a step against the slip cut to the sliding limit.
+/// New friction from the present one, the slip, the block (11, 12, 22) and the greatest length: by the inverse of the
+/// block where the limit allows it, else a step against the slip cut to the limit.
 #[inline]
-fn friction_step(l: [Float; 2], s: [Float; 2], [k11, k12, k22]: [Float; 3], limit: [Float; 2]) -> [Float; 2] {
+fn friction_step(l: [Float; 2], s: [Float; 2], [k11, k12, k22]: [Float; 3], limit: Float) -> [Float; 2] {
     let det = k11 * k22 - k12 * k12;
     if det > 1e-6 * k11 * k22 {
         let t = [l[0] - (k22 * s[0] - k12 * s[1]) / det, l[1] - (k11 * s[1] - k12 * s[0]) / det];
-        if t[0] * t[0] + t[1] * t[1] <= limit[0] * limit[0] {
+        if t[0] * t[0] + t[1] * t[1] <= limit * limit {
             return t;
         }
     }
@@ -503,7 +508,7 @@ fn friction_step(l: [Float; 2], s: [Float; 2], [k11, k12, k22]: [Float; 3], limi
     let greatest = 0.5 * (k11 + k22) + (half * half + k12 * k12).sqrt();
     let t = [l[0] - s[0] / greatest, l[1] - s[1] / greatest];
     let length = (t[0] * t[0] + t[1] * t[1]).sqrt();
-    let cut = if length > limit[1] { limit[1] / length } else { 1.0 };
+    let cut = if length > limit { limit / length } else { 1.0 };
     [t[0] * cut, t[1] * cut]
 }
 
@@ -541,12 +546,12 @@ mod tests {
     }
 
     #[test]
-    fn friction_sticks_up_to_the_static_limit_and_slides_at_the_sliding_one() {
+    fn friction_sticks_up_to_its_limit_and_slides_at_it() {
         let k = [2.0, 0.5, 1.0];
-        let stuck = friction_step([0.0; 2], [0.2, -0.1], k, [1.0, 0.5]);
+        let stuck = friction_step([0.0; 2], [0.2, -0.1], k, 1.0);
         assert!((2.0 * stuck[0] + 0.5 * stuck[1] + 0.2).abs() < 1e-6, "velocity 1 is not 0");
         assert!((0.5 * stuck[0] + stuck[1] - 0.1).abs() < 1e-6, "velocity 2 is not 0");
-        let slid = friction_step([0.0; 2], [20.0, -10.0], k, [1.0, 0.5]);
+        let slid = friction_step([0.0; 2], [20.0, -10.0], k, 0.5);
         assert!(((slid[0] * slid[0] + slid[1] * slid[1]).sqrt() - 0.5).abs() < 1e-6);
         assert!(slid[0] * -10.0 - slid[1] * 20.0 == 0.0 && slid[0] < 0.0, "straight against the slip");
     }

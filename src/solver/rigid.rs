@@ -38,11 +38,13 @@ impl Rigid<'_> {
         for batch in 0..self.rows.batches.len() {
             let range = self.points.range(self.rows, batch);
             for k in 0..self.settings.sub_steps {
-                self.points.begin(self.rows, batch, &self.sub);
+                self.points.begin(self.rows, batch, &self.sub, self.settings);
                 self.joint_rows.begin_sub_step(batch, self.rows, self.settings);
                 self.rows.apply_forces(batch, true, &self.sub, self.settings);
                 self.joint_rows.warm_start(batch, &mut self.rows.rows);
                 velocities(self, batch);
+                // Joints have the last word: a contact that is left open shows less.
+                self.sweep_joints(batch);
                 if k + 1 == self.settings.sub_steps {
                     self.report.measure(self.points.residual(self.rows, range.clone()));
                 }
@@ -62,6 +64,9 @@ impl Rigid<'_> {
 
     /// One pass over the joints of a batch.
     pub fn sweep_joints(&mut self, batch: usize) {
+        if self.joint_rows.is_empty() {
+            return;
+        }
         self.joint_rows.solve(batch, self.rows, self.joints, &self.sub);
     }
 }
