@@ -31,6 +31,9 @@ const GREATEST_COUNT: usize = 1000;
 /// What ADMM aims at, as a share of the greatest free velocity, in so many iterations.
 const ADMM: Options = Options { iterations: 1000, tolerance: 1e-7, corrected: true };
 
+/// The same where that failed.
+const ADMM_AGAIN: Options = Options { iterations: 3000, ..ADMM };
+
 /// Memory that is kept between steps.
 #[derive(Debug, Default)]
 pub struct Workspace {
@@ -134,7 +137,18 @@ impl Workspace {
         match settings.solver {
             SolverKind::Lemke => self.lemke.solve(&self.problem, facets, &mut self.lambda),
             SolverKind::Dantzig => self.dantzig.solve(&self.problem, facets, &mut self.lambda),
-            _ => self.admm.solve(&self.problem, &ADMM, &mut self.lambda),
+            _ => {
+                let warm = self.admm.solve(&self.problem, &ADMM, &mut self.lambda);
+                if warm.status.is_usable()
+                    || warm.status == Status::NotFinite
+                    || warm.status == Status::TooLarge
+                {
+                    return warm;
+                }
+                // At great mass ratios the last impulses are a worse start than none.
+                self.lambda.fill(0.0);
+                self.admm.solve(&self.problem, &ADMM_AGAIN, &mut self.lambda)
+            }
         }
     }
 }
