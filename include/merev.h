@@ -897,6 +897,24 @@ typedef struct mvWorldDef {
      */
     mvSolverKind solver;
     /**
+     * The sweeps of each sub-step of the solvers sequentialImpulse and projectedGaussSeidel, at most 10000; default 0:
+     * the step is not divided, and has as many sweeps as it was to have sub-steps.
+     */
+    uint32_t solverIterations;
+    /**
+     * The corners of the friction pyramids of the solvers lemke and dantzig (which makes them even), 3 to 64;
+     * default 8.
+     */
+    uint32_t frictionFacets;
+    /**
+     * Whether sequentialImpulse visits the points in another order in every iteration; default true.
+     */
+    bool shuffleContacts;
+    /**
+     * Whether the first iterations of sequentialImpulse correct by more than is missing; default false.
+     */
+    bool overCorrect;
+    /**
      * The integrator; default mv_integrator_auto.
      */
     mvIntegratorKind integrator;
@@ -1761,6 +1779,27 @@ typedef struct mvStepReport {
      */
     mvSolverKind solver;
     /**
+     * The greatest error of the contact laws at any point when the solver was done [m/s]; softStep does not measure
+     * it and leaves 0.
+     */
+    mvFloat solverResidual;
+    /**
+     * The islands that an exact solver (lemke, dantzig, proximalAdmm) was asked to solve in the last step.
+     */
+    int solveCount;
+    /**
+     * Those of them that were too large for it, and swept by projected Gauss-Seidel instead.
+     */
+    int tooLargeCount;
+    /**
+     * Those of them that it did not solve, and that were swept instead.
+     */
+    int unsolvedCount;
+    /**
+     * The islands swept instead of solved since the world began.
+     */
+    int64_t fallbackCount;
+    /**
      * Steps so far.
      */
     int64_t stepCount;
@@ -1911,6 +1950,31 @@ typedef struct mvVec2 {
  * Soft contacts, sub-steps instead of iterations.
  */
 #define mv_solver_softStep 1
+
+/**
+ * The thesis's: the impulse of a collision at every point, again and again; for comparison.
+ */
+#define mv_solver_sequentialImpulse 2
+
+/**
+ * Accumulated impulses, their sum is clamped; begins with those of the last step.
+ */
+#define mv_solver_projectedGaussSeidel 3
+
+/**
+ * All contacts of an island at once by complementary pivoting, friction pyramids; for small scenes.
+ */
+#define mv_solver_lemke 4
+
+/**
+ * All contacts of an island at once by principal pivoting with bounds, friction pyramids; for small scenes.
+ */
+#define mv_solver_dantzig 5
+
+/**
+ * All contacts of an island at once, exact friction cones; for scenes of moderate size.
+ */
+#define mv_solver_proximalAdmm 6
 
 /**
  * Velocities of the start of the step: the thesis's method, for comparison.

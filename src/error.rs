@@ -145,6 +145,15 @@ pub(crate) mod check {
         }
     }
 
+    /// A whole number in [lo, hi].
+    pub fn count(name: &str, n: u32, lo: u32, hi: u32) -> Result<u32> {
+        if (lo..=hi).contains(&n) {
+            Ok(n)
+        } else {
+            Err(Error::new(ErrorCode::Range, format!("{name} is {n}; it must lie between {lo} and {hi}.")))
+        }
+    }
+
     /// A finite unit quaternion, up to 1 in 10³; returned normalised to the last bit.
     pub fn rotation(name: &str, q: Quat) -> Result<Quat> {
         if !(q.w.is_finite() && q.i.is_finite() && q.j.is_finite() && q.k.is_finite()) {

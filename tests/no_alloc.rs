@@ -3,8 +3,9 @@
 #[path = "common/scenes.rs"]
 mod scenes;
 
-use merev::Quat;
-use scenes::{pyramid, sleepless};
+use merev::solver::SolverKind;
+use merev::{Quat, WorldDef};
+use scenes::{pyramid, sleepless, stack};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
@@ -38,4 +39,14 @@ fn a_step_in_steady_state_allocates_nothing() {
     scene.steps(60);
     let during = ALLOCATIONS.load(Relaxed) - before;
     assert_eq!(during, 0, "60 steps of a standing pyramid made {during} allocations");
+
+    // One test, as the counter is of the whole program.
+    for solver in SolverKind::ALL {
+        let (mut scene, _) = stack(&WorldDef { solver, ..sleepless() }, Quat::identity(), 3);
+        scene.steps(60);
+        let before = ALLOCATIONS.load(Relaxed);
+        scene.steps(20);
+        let during = ALLOCATIONS.load(Relaxed) - before;
+        assert_eq!(during, 0, "{}: 20 steps made {during} allocations", solver.name());
+    }
 }

@@ -1,6 +1,7 @@
 //! The seed's interface: every call, every panic with its sentence, and the sample program against physics.
 
 use merev::math::{length, quat_about, rotate, rotation_matrix, vec3};
+use merev::solver::SolverKind;
 use merev::world::{BodyDef, BodyType, WorldDef};
 use merev::{
     AABB, BodyId, ErrorCode, Float, Mat3, Quat, RigidBodyId, RigidbodyBuilder, Shape, StaticBodyId,
@@ -149,6 +150,18 @@ fn solver_steps_are_sub_steps() {
     assert_eq!(world.step_report().sub_steps, 1);
 }
 
+#[test]
+fn solver_steps_are_the_iterations_of_a_solver_that_iterates() {
+    let mut world = WorldBuilder::new().solver(SolverKind::SequentialImpulse).solver_steps(7).build();
+    world.update(0.01);
+    let report = world.step_report();
+    assert_eq!((report.sub_steps, report.solve.solver), (1, SolverKind::SequentialImpulse));
+    let builder = WorldBuilder::new().solver(SolverKind::ProjectedGaussSeidel).solver_iterations(3);
+    let mut world = builder.friction_facets(4).shuffle_contacts(false).over_correct(true).build();
+    world.update(0.01);
+    assert_eq!(world.step_report().sub_steps, 4);
+}
+
 fn refused<T>(result: merev::Result<T>, code: ErrorCode, sentence: &str) {
     let Err(error) = result else { panic!("{sentence}: should be refused") };
     assert_eq!((error.code(), error.sentence()), (code, sentence));
@@ -166,6 +179,12 @@ fn bad_settings_are_refused() {
     refused(new().try_down_gravity(Float::INFINITY), NotFinite, "gravity is inf; it must be finite.");
     refused(new().try_solver_steps(0), Range, "solver_steps is 0; it must be 1 … 1000.");
     refused(new().try_solver_steps(1001), Range, "solver_steps is 1001; it must be 1 … 1000.");
+    refused(
+        new().try_solver_iterations(10_001),
+        Range,
+        "solver_iterations is 10001; it must lie between 0 and 10000.",
+    );
+    refused(new().try_friction_facets(2), Range, "friction_facets is 2; it must lie between 3 and 64.");
     refused(
         new().try_rb_separation_force(-1.0),
         Range,

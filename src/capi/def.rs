@@ -142,6 +142,16 @@ pub struct mvWorldDef {
     pub accuracy: mvFloat,
     /// The contact solver; default mv_solver_auto.
     pub solver: mvSolverKind,
+    /// The sweeps of each sub-step of the solvers sequentialImpulse and projectedGaussSeidel, at most 10000; default 0:
+    /// the step is not divided, and has as many sweeps as it was to have sub-steps.
+    pub solver_iterations: u32,
+    /// The corners of the friction pyramids of the solvers lemke and dantzig (which makes them even), 3 to 64;
+    /// default 8.
+    pub friction_facets: u32,
+    /// Whether sequentialImpulse visits the points in another order in every iteration; default true.
+    pub shuffle_contacts: Flag,
+    /// Whether the first iterations of sequentialImpulse correct by more than is missing; default false.
+    pub over_correct: Flag,
     /// The integrator; default mv_integrator_auto.
     pub integrator: mvIntegratorKind,
     /// The broad phase; default mv_broadPhase_auto.
@@ -337,6 +347,10 @@ pub extern "C" fn mvDefaultWorldDef() -> mvWorldDef {
         user_data: std::ptr::null_mut(),
         accuracy: d.accuracy,
         solver: mv_solver_auto,
+        solver_iterations: d.solver_iterations,
+        friction_facets: d.friction_facets,
+        shuffle_contacts: d.shuffle_contacts.into(),
+        over_correct: d.over_correct.into(),
         integrator: mv_integrator_auto,
         broad_phase: mv_broadPhase_auto,
         narrow_phase: mv_narrowPhase_auto,

@@ -12,6 +12,16 @@ use core::ffi::{CStr, c_char};
 
 /// Soft contacts, sub-steps instead of iterations.
 pub const mv_solver_softStep: mvSolverKind = 1;
+/// The thesis's: the impulse of a collision at every point, again and again; for comparison.
+pub const mv_solver_sequentialImpulse: mvSolverKind = 2;
+/// Accumulated impulses, their sum is clamped; begins with those of the last step.
+pub const mv_solver_projectedGaussSeidel: mvSolverKind = 3;
+/// All contacts of an island at once by complementary pivoting, friction pyramids; for small scenes.
+pub const mv_solver_lemke: mvSolverKind = 4;
+/// All contacts of an island at once by principal pivoting with bounds, friction pyramids; for small scenes.
+pub const mv_solver_dantzig: mvSolverKind = 5;
+/// All contacts of an island at once, exact friction cones; for scenes of moderate size.
+pub const mv_solver_proximalAdmm: mvSolverKind = 6;
 /// Velocities of the start of the step: the thesis's method, for comparison.
 pub const mv_integrator_explicitEuler: mvIntegratorKind = 1;
 /// Velocities of the end of the step: what most engines do, for comparison.
@@ -52,6 +62,11 @@ pub const mv_manifold_clipper2: mvManifoldKind = 2;
 // The numbers of the header are those of the engine.
 const _: () = {
     assert!(mv_solver_softStep == SolverKind::SoftStep as i32);
+    assert!(mv_solver_sequentialImpulse == SolverKind::SequentialImpulse as i32);
+    assert!(mv_solver_projectedGaussSeidel == SolverKind::ProjectedGaussSeidel as i32);
+    assert!(mv_solver_lemke == SolverKind::Lemke as i32);
+    assert!(mv_solver_dantzig == SolverKind::Dantzig as i32);
+    assert!(mv_solver_proximalAdmm == SolverKind::ProximalAdmm as i32);
     assert!(mv_integrator_explicitEuler == IntegratorKind::ExplicitEuler as i32);
     assert!(mv_integrator_semiImplicitEuler == IntegratorKind::SemiImplicitEuler as i32);
     assert!(mv_integrator_moserVeselov == IntegratorKind::MoserVeselov as i32);
@@ -127,7 +142,10 @@ pub extern "C" fn mvGetManifoldKindName(kind: mvManifoldKind) -> *const c_char {
 }
 
 pub(super) fn solver(kind: mvSolverKind) -> Result<SolverKind> {
-    choice("solver", kind, &[SolverKind::Auto, SolverKind::SoftStep], |k| k as i32)
+    if kind == mv_solver_auto {
+        return Ok(SolverKind::Auto);
+    }
+    choice("solver", kind, &SolverKind::ALL, |k| k as i32)
 }
 
 pub(super) fn integrator(kind: mvIntegratorKind) -> Result<IntegratorKind> {
@@ -160,6 +178,11 @@ fn constant(name: &str) -> *const c_char {
     const NAMES: &[&CStr] = &[
         c"auto",
         c"soft_step",
+        c"sequential_impulse",
+        c"projected_gauss_seidel",
+        c"lemke",
+        c"dantzig",
+        c"proximal_admm",
         c"explicit_euler",
         c"semi_implicit_euler",
         c"moser_veselov",

@@ -90,6 +90,17 @@ pub struct mvStepReport {
     pub sub_step_count: c_int,
     /// The solver of the last step: one of the mv_solver... constants.
     pub solver: super::def::mvSolverKind,
+    /// The greatest error of the contact laws at any point when the solver was done [m/s]; softStep does not measure
+    /// it and leaves 0.
+    pub solver_residual: mvFloat,
+    /// The islands that an exact solver (lemke, dantzig, proximalAdmm) was asked to solve in the last step.
+    pub solve_count: c_int,
+    /// Those of them that were too large for it, and swept by projected Gauss-Seidel instead.
+    pub too_large_count: c_int,
+    /// Those of them that it did not solve, and that were swept instead.
+    pub unsolved_count: c_int,
+    /// The islands swept instead of solved since the world began.
+    pub fallback_count: i64,
     /// Steps so far.
     pub step_count: i64,
     /// Bodies put to rest because their state stopped being finite.
@@ -138,6 +149,11 @@ neutral! {
         residual: 0.0,
         sub_step_count: 0,
         solver: 0,
+        solver_residual: 0.0,
+        solve_count: 0,
+        too_large_count: 0,
+        unsolved_count: 0,
+        fallback_count: 0,
         step_count: 0,
         quarantined_count: 0,
         counters: NOTHING,
@@ -335,7 +351,12 @@ pub extern "C" fn mvWorld_GetStepReport(world_id: mvWorldId) -> mvStepReport {
             worst_penetration: r.worst_penetration,
             residual: r.residual,
             sub_step_count: c_count(r.sub_steps as usize),
-            solver: super::kind::mv_solver_softStep,
+            solver: r.solve.solver.resolved() as i32,
+            solver_residual: r.solve.residual,
+            solve_count: c_count(r.solve.solves as usize),
+            too_large_count: c_count(r.solve.too_large as usize),
+            unsolved_count: c_count(r.solve.failed as usize),
+            fallback_count: i64::try_from(r.solve.fallbacks).unwrap_or(i64::MAX),
             step_count: i64::try_from(r.steps).unwrap_or(i64::MAX),
             quarantined_count: i64::try_from(r.quarantined).unwrap_or(i64::MAX),
             counters: r.counters.into(),

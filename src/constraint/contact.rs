@@ -31,6 +31,8 @@ pub struct ContactPoint {
     pub impulse: Float,
     /// The slowly filtered impulse that is no longer leaked \[N s\]. By `prepare`.
     pub memory: Float,
+    /// Friction impulse on B of the last sub-step, world axes \[N s\]. By `solve`, of solvers with friction at each point.
+    pub friction: Vec3,
     /// Sum of the normal impulses over the last step \[N s\]. By `solve`.
     pub total: Float,
     /// Normal velocity of B against A at the start of the step \[m/s\]. By `prepare`.
@@ -140,7 +142,7 @@ impl Contact {
     /// Forgets the impulses of the last step.
     pub fn clear_impulses(&mut self) {
         for p in &mut self.points {
-            (p.impulse, p.memory, p.total) = (0.0, 0.0, 0.0);
+            (p.impulse, p.memory, p.total, p.friction) = (0.0, 0.0, 0.0, Vec3::zeros());
         }
         self.friction_impulse = Vec3::zeros();
         self.twist_impulse = 0.0;

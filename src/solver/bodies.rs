@@ -145,6 +145,11 @@ impl Bodies {
         self.batch_of[island as usize]
     }
 
+    /// The place of an awake island in [`Bodies::islands`], by its index in the store.
+    pub fn place_of(&self, island: u32) -> u32 {
+        self.place_of[island as usize]
+    }
+
     /// The solver row of an island's body.
     pub fn row_of(&self, bodies: &BodyStore, body: u32) -> usize {
         self.row_of[bodies.bodies[body as usize].row as usize] as usize

@@ -3,12 +3,33 @@
 //! | variant | idea | paper | cost | pick it when | fails |
 //! |---|---|---|---|---|---|
 //! | [`soft_step`] | sub-steps instead of iterations: soft contacts with a relax pass, load memory | Catto, "Solver2D" (2024); load memory is our own | two sweeps over the rows a sub-step | always, so far | very tall stacks and load ratios above 1000 settle slowly |
+//! | [`sequential_impulse`] | the thesis's: repeat the impulse of a collision, which only pushes | the thesis, 7.2 and 4.3; Mirtich, Canny 1995 | one visit a point and iteration | to compare with the thesis | stacks sink and creep; separation forces add energy |
+//! | [`projected_gauss_seidel`] | accumulated impulses, their sum is clamped; warm start | Moreau, Jean 1992; Catto GDC09 | one visit a point and iteration | many small islands, fixed cost | converges slowly for tall stacks and mass ratios |
+//! | [`lemke`] | complementary pivoting, friction pyramid | Stewart, Trinkle 1996; Anitescu, Potra 1997 | n³ for n = K (2 + facets) | small scenes, exact to rounding | friction turns to the pyramid's corners; too large above 1000 rows |
+//! | [`dantzig`] | principal pivoting with bounds | Cottle, Dantzig 1968; Baraff 1994 | n³ for n = K (1 + facets/2), a few times | as above, no friction or little sliding | friction limits may not settle; too large above 800 rows |
+//! | [`proximal_admm`] | exact cone, De Saxcé's correction, splitting | Carpentier, Le Lidec, Montaut 2024 | n³/3 for n = 3 K a few times, n² an iteration | exact Coulomb friction | too large above 256 points; slow for coefficients in the thousands |
+//!
+//! The last three are *exact*: each solves all contacts of an island as one [`contact_problem`], in double precision.
+//! Islands that are too large for them, or that they leave unsolved, are swept by projected Gauss–Seidel, and counted.
+//! Rolling resistance is the soft_step solver's only. What they have in common lives in [`points`].
 
 pub mod bodies;
+pub mod contact_problem;
+pub mod dantzig;
+mod exact;
 pub mod joints;
+pub mod lemke;
 mod passes;
+pub mod points;
+pub mod projected_gauss_seidel;
+pub mod proximal_admm;
+mod report;
+mod rigid;
 pub mod rows;
+pub mod sequential_impulse;
 pub mod soft_step;
+
+pub use report::SolveReport;
 
 use crate::body::BodyStore;
 use crate::constraint::{ContactStore, JointStore};
@@ -16,6 +37,8 @@ use crate::integrate::IntegratorKind;
 use crate::island::IslandStore;
 use crate::math::{Float, Vec3};
 use bodies::Bodies;
+use points::Points;
+use rigid::Rigid;
 
 /// Which solver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -26,11 +49,40 @@ pub enum SolverKind {
     Auto = 0,
     /// [`soft_step`].
     SoftStep = 1,
+    /// [`sequential_impulse`].
+    SequentialImpulse = 2,
+    /// [`projected_gauss_seidel`].
+    ProjectedGaussSeidel = 3,
+    /// [`lemke`].
+    Lemke = 4,
+    /// [`dantzig`].
+    Dantzig = 5,
+    /// [`proximal_admm`].
+    ProximalAdmm = 6,
 }
 
 impl SolverKind {
     /// Every variant, without `Auto`.
-    pub const ALL: [SolverKind; 1] = [SolverKind::SoftStep];
+    pub const ALL: [SolverKind; 6] = [
+        SolverKind::SoftStep,
+        SolverKind::SequentialImpulse,
+        SolverKind::ProjectedGaussSeidel,
+        SolverKind::Lemke,
+        SolverKind::Dantzig,
+        SolverKind::ProximalAdmm,
+    ];
+
+    /// What `Auto` stands for; the others stand for themselves.
+    #[must_use]
+    pub fn resolved(self) -> Self {
+        if self == SolverKind::Auto { SolverKind::SoftStep } else { self }
+    }
+
+    /// Whether the solver repeats sweeps over the points, so that `solver_iterations` means something to it.
+    #[must_use]
+    pub fn iterates(self) -> bool {
+        matches!(self, SolverKind::SequentialImpulse | SolverKind::ProjectedGaussSeidel)
+    }
 
     /// The variant's name, as its file is called.
     #[must_use]
@@ -38,6 +90,11 @@ impl SolverKind {
         match self {
             SolverKind::Auto => "auto",
             SolverKind::SoftStep => "soft_step",
+            SolverKind::SequentialImpulse => "sequential_impulse",
+            SolverKind::ProjectedGaussSeidel => "projected_gauss_seidel",
+            SolverKind::Lemke => "lemke",
+            SolverKind::Dantzig => "dantzig",
+            SolverKind::ProximalAdmm => "proximal_admm",
         }
     }
 }
@@ -106,6 +163,18 @@ pub struct Settings {
     pub load_memory: bool,
     /// Whether four constraints are solved at a time.
     pub wide: bool,
+    /// Sweeps a sub-step, of the solvers that iterate; ≥ 1.
+    pub iterations: u32,
+    /// Corners of the friction pyramids of Lemke and Dantzig, ≥ 3.
+    pub friction_facets: u32,
+    /// Whether sequential impulses visit the points in another order in every iteration.
+    pub shuffle: bool,
+    /// Whether the first iterations of sequential impulses correct by more than is missing.
+    pub over_correct: bool,
+    /// The thesis's separation force between moving bodies: share of the usual push-out.
+    pub separation_between_moving: Float,
+    /// The same against immovable ones.
+    pub separation_on_static: Float,
 }
 
 impl Settings {
@@ -128,7 +197,7 @@ impl Settings {
     }
 }
 
-/// What solvers work with: it holds nothing that outlives a step but memory.
+/// What solvers work with: it holds nothing that outlives a step but memory and the report.
 #[derive(Debug, Default)]
 pub struct Work {
     /// The bodies of the step.
@@ -137,12 +206,20 @@ pub struct Work {
     pub joints: joints::Workspace,
     /// Of [`soft_step`].
     pub soft_step: soft_step::Workspace,
+    /// Of the other solvers.
+    points: Points,
+    /// Of [`sequential_impulse`].
+    sequential: sequential_impulse::Workspace,
+    /// Of the exact solvers.
+    exact: exact::Workspace,
+    /// How the last step went.
+    pub report: SolveReport,
 }
 
 impl Clone for Work {
-    /// Nothing in it outlives a step, so a copy starts empty.
+    /// Nothing in it outlives a step but the report, so a copy starts empty.
     fn clone(&self) -> Self {
-        Self::default()
+        Self { report: self.report, ..Self::default() }
     }
 }
 
@@ -157,10 +234,18 @@ impl Work {
         settings: &Settings,
     ) {
         self.bodies.gather(bodies, contacts, islands);
-        match settings.solver {
+        self.report.begin_step(settings.solver);
+        let Self { bodies: rows, joints: joint_rows, soft_step, points, .. } = self;
+        match settings.solver.resolved() {
             SolverKind::Auto | SolverKind::SoftStep => {
-                let Self { bodies: rows, joints: joint_rows, soft_step } = self;
                 soft_step.lay_out(rows, joint_rows, bodies, contacts, joints, islands, settings);
+            }
+            SolverKind::SequentialImpulse
+            | SolverKind::ProjectedGaussSeidel
+            | SolverKind::Lemke
+            | SolverKind::Dantzig
+            | SolverKind::ProximalAdmm => {
+                points.lay_out(rows, joint_rows, bodies, contacts, joints, islands, settings);
             }
         }
     }
@@ -173,17 +258,32 @@ impl Work {
         joints: &mut JointStore,
         settings: &Settings,
     ) {
-        match settings.solver {
-            SolverKind::Auto | SolverKind::SoftStep => {
-                let Self { bodies: rows, joints: joint_rows, soft_step } = self;
-                soft_step::solve(soft_step, rows, joint_rows, bodies, contacts, joints, settings);
-            }
+        let Self { bodies: rows, joints: joint_rows, soft_step, points, sequential, exact, report } = self;
+        let solver = settings.solver.resolved();
+        if solver == SolverKind::SoftStep {
+            soft_step::solve(soft_step, rows, joint_rows, bodies, contacts, joints, settings);
+            return;
         }
+        let sub = settings.sub_step();
+        let mut step = Rigid { points, rows, joint_rows, bodies, joints, settings, report, sub };
+        match solver {
+            SolverKind::Auto | SolverKind::SoftStep => {}
+            SolverKind::SequentialImpulse => sequential.solve(&mut step),
+            SolverKind::ProjectedGaussSeidel => projected_gauss_seidel::solve(&mut step),
+            SolverKind::Lemke | SolverKind::Dantzig | SolverKind::ProximalAdmm => exact.solve(&mut step),
+        }
+        points.store(contacts);
+        joint_rows.store(joints, settings.dt);
     }
 
     /// Bytes held.
     #[must_use]
     pub fn byte_count(&self) -> usize {
-        self.bodies.byte_count() + self.joints.byte_count() + self.soft_step.byte_count()
+        self.bodies.byte_count()
+            + self.joints.byte_count()
+            + self.soft_step.byte_count()
+            + self.points.byte_count()
+            + self.sequential.byte_count()
+            + self.exact.byte_count()
     }
 }

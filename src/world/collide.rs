@@ -305,7 +305,7 @@ impl World {
             *point = Default::default();
             point.anchor = a.arm + rotate(&a.q, new.point);
             if let Some(known) = old.iter_mut().find(|o| o.feature == new.feature) {
-                (point.impulse, point.memory) = (known.impulse, known.memory);
+                (point.impulse, point.memory, point.friction) = (known.impulse, known.memory, known.friction);
                 known.feature = TAKEN;
             } else {
                 strangers += 1;
@@ -376,7 +376,7 @@ fn inherit_by_place(points: &mut [ContactPoint], old: &mut [ContactPoint], size:
             }
         }
         if let Some((_, k)) = best {
-            (point.impulse, point.memory) = (old[k].impulse, old[k].memory);
+            (point.impulse, point.memory, point.friction) = (old[k].impulse, old[k].memory, old[k].friction);
             old[k].feature = TAKEN;
         }
     }

@@ -66,6 +66,15 @@ pub struct WorldDef {
     pub accuracy: Float,
     /// The contact solver; default auto.
     pub solver: SolverKind,
+    /// Sweeps a sub-step of the solvers sequential_impulse and projected_gauss_seidel, at most 10 000; default 0: the
+    /// step is then not divided, and has as many sweeps as it was to have sub-steps, as in the thesis.
+    pub solver_iterations: u32,
+    /// Corners of the friction pyramids of the solvers lemke and dantzig (which makes them even), 3 … 64; default 8.
+    pub friction_facets: u32,
+    /// Whether sequential_impulse visits the points in another order in every iteration; default true.
+    pub shuffle_contacts: bool,
+    /// Whether the first iterations of sequential_impulse correct by more than is missing; default false.
+    pub over_correct: bool,
     /// How bodies move through a sub-step; default auto.
     pub integrator: IntegratorKind,
     /// The broad phase; default auto.
@@ -98,6 +107,10 @@ impl Default for WorldDef {
             worker_count: 1,
             accuracy: 0.0,
             solver: SolverKind::Auto,
+            solver_iterations: 0,
+            friction_facets: 8,
+            shuffle_contacts: true,
+            over_correct: false,
             integrator: IntegratorKind::Auto,
             broad_phase: BroadPhaseKind::Auto,
             narrow_phase: NarrowPhaseKind::Auto,
@@ -124,6 +137,8 @@ impl WorldDef {
         check::positive("contact_damping_ratio", self.contact_damping_ratio)?;
         check::not_negative("contact_speed", self.contact_speed)?;
         speed_limit(self.maximum_linear_speed)?;
+        check::count("solver_iterations", self.solver_iterations, 0, 10_000)?;
+        check::count("friction_facets", self.friction_facets, 3, 64)?;
         if self.worker_count != 1 {
             return Err(Error::new(
                 ErrorCode::Unsupported,

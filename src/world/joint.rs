@@ -11,7 +11,6 @@ use crate::error::{Error, ErrorCode, Result, check};
 use crate::event::JointEvent;
 use crate::math::scalar::{double, single};
 use crate::math::{Float, Pose, Vec3, length};
-use crate::solver::SolverKind;
 
 /// What a joint is made from.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,17 +114,13 @@ impl World {
     /// Ties two bodies together, and wakes them.
     ///
     /// # Errors
-    /// Null, foreign or stale ids; what [`JointDef::validate`] says; Range: a body with itself; Unsupported: a solver
-    /// other than `soft_step`.
+    /// Null, foreign or stale ids; what [`JointDef::validate`] says; Range: a body with itself.
     pub fn create_joint(&mut self, def: &JointDef) -> Result<JointId> {
         let (a, b) = (self.body_index(def.body_a)?, self.body_index(def.body_b)?);
         if a == b {
             return Err(Error::new(ErrorCode::Range, "A joint ties two bodies; these are the same."));
         }
         def.validate()?;
-        if !matches!(self.def.solver, SolverKind::Auto | SolverKind::SoftStep) {
-            return Err(Error::new(ErrorCode::Unsupported, "Only the solver soft_step treats joints yet."));
-        }
         let frames = [
             check::pose("local_frame_a", &def.local_frame_a)?,
             check::pose("local_frame_b", &def.local_frame_b)?,

@@ -4,6 +4,7 @@ use super::World;
 use crate::body::SetId;
 use crate::constraint::contact::flags;
 use crate::math::{Float, Quat, Vec3, scalar::double};
+use crate::solver::SolveReport;
 
 /// Milliseconds of the last step, by stage. Differs from run to run and is no part of the state.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -83,6 +84,8 @@ pub struct StepReport {
     pub sub_steps: u32,
     /// Steps so far.
     pub steps: u64,
+    /// How the solver fared in the last step.
+    pub solve: SolveReport,
     /// Bodies put to rest because their state stopped being finite.
     pub quarantined: u64,
     /// How much there is of everything.
@@ -175,6 +178,7 @@ impl World {
             residual,
             sub_steps: self.last_sub_steps,
             steps: self.counts.steps,
+            solve: SolveReport { solver: self.def.solver.resolved(), ..self.work.report },
             quarantined: self.counts.quarantined,
             counters: self.counters(),
             profile: self.profile,
@@ -243,6 +247,9 @@ impl World {
             for p in contact.points() {
                 hash.scalar(p.impulse);
                 hash.scalar(p.memory);
+                if p.friction != Vec3::zeros() {
+                    hash.vec(p.friction);
+                }
             }
             hash.vec(contact.friction_impulse);
             hash.scalar(contact.twist_impulse);

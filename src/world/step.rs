@@ -58,6 +58,12 @@ impl World {
         self.events.begin_step();
         self.scratch.fell_asleep.clear();
         self.profile = super::Profile::default();
+        // As the thesis has it: the steps of an iterative solver are its iterations, unless they are given apart.
+        let (sub_steps, iterations) = match self.def.solver_iterations {
+            0 if self.def.solver.iterates() => (1, sub_steps),
+            0 => (sub_steps, 1),
+            n => (sub_steps, n),
+        };
         Settings {
             solver: self.def.solver,
             integrator: self.def.integrator,
@@ -74,6 +80,12 @@ impl World {
             warm_starting: self.def.enable_warm_starting,
             load_memory: self.def.enable_load_memory && self.def.enable_warm_starting,
             wide: self.def.lanes != Lanes::One,
+            iterations,
+            friction_facets: self.def.friction_facets,
+            shuffle: self.def.shuffle_contacts,
+            over_correct: self.def.over_correct,
+            separation_between_moving: self.seed.rb_separation_force,
+            separation_on_static: self.seed.sb_separation_force,
         }
     }
 

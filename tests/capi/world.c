@@ -52,13 +52,22 @@ static void definitions(void)
     bad.solver = 77;
     FAILS(mv_errorRange, mvCreateWorld, mvCreateWorld(&bad));
     bad = def;
+    bad.solverIterations = 10001;
+    FAILS(mv_errorRange, mvCreateWorld, mvCreateWorld(&bad));
+    bad = def;
+    bad.frictionFacets = 2;
+    FAILS(mv_errorRange, mvCreateWorld, mvCreateWorld(&bad));
+    bad = def;
+    memset(&bad.shuffleContacts, 2, 1);
+    FAILS(mv_errorRange, mvCreateWorld, mvCreateWorld(&bad));
+    bad = def;
     bad.broadPhase = -1;
     FAILS(mv_errorRange, mvCreateWorld, mvCreateWorld(&bad));
     bad = def;
     bad.narrowPhase = 1 << 30;
     FAILS(mv_errorRange, mvCreateWorld, mvCreateWorld(&bad));
     bad = def;
-    bad.integrator = 5;
+    bad.integrator = 500;
     FAILS(mv_errorRange, mvCreateWorld, mvCreateWorld(&bad));
     bad = def;
     bad.gjk = 5;
@@ -211,10 +220,45 @@ static void reports(void)
     mvDestroyWorld(twin);
 }
 
+/* A ball comes to rest on a static one with every solver, and the report names it. */
+static void solvers(void)
+{
+    const mvSolverKind kinds[] = {mv_solver_softStep,  mv_solver_sequentialImpulse, mv_solver_projectedGaussSeidel,
+                                  mv_solver_lemke,     mv_solver_dantzig,           mv_solver_proximalAdmm};
+    const char *names[] = {"soft_step", "sequential_impulse", "projected_gauss_seidel",
+                           "lemke",     "dantzig",            "proximal_admm"};
+    int i, k;
+    for (i = 0; i < 6; ++i)
+    {
+        mvWorldDef def = mvDefaultWorldDef();
+        mvWorldId world;
+        mvBodyId ball;
+        mvStepReport report;
+        CHECK(strcmp(mvGetSolverKindName(kinds[i]), names[i]) == 0);
+        CHECK(def.solverIterations == 0 && def.frictionFacets == 8 && def.shuffleContacts && !def.overCorrect);
+        def.solver = kinds[i];
+        def.enableSleep = false;
+        world = mvCreateWorld(&def);
+        mvBody_SetType(ballAt(world, 0, 0, 0), mv_staticBody);
+        ball = ballAt(world, 0, (mvFloat)1.05, 0);
+        for (k = 0; k < 60; ++k)
+        {
+            WORKS(mvWorld_Step(world, (mvFloat)(1.0 / 60.0), 4));
+        }
+        report = mvWorld_GetStepReport(world);
+        CHECK(report.solver == kinds[i]);
+        CHECK(report.solveCount == (i < 3 ? 0 : 4) && report.fallbackCount == 0);
+        CHECK(report.tooLargeCount == 0 && report.unsolvedCount == 0 && report.solverResidual < (mvFloat)0.05);
+        CHECK(near(mvBody_GetPosition(ball).y, 1, (mvFloat)0.02) && mvBody_GetLinearVelocity(ball).y < (mvFloat)0.1);
+        mvDestroyWorld(world);
+    }
+}
+
 int main(void)
 {
     definitions();
     settings();
     reports();
+    solvers();
     return done("world");
 }

@@ -125,6 +125,12 @@ pub struct Workspace {
 const AT_HOME: [Quad; 2] = [[0.0; 4], [0.0, 0.0, 0.0, 1.0]];
 
 impl Workspace {
+    /// Whether the step has no joint.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.joint_count == 0
+    }
+
     /// Bytes held.
     #[must_use]
     pub fn byte_count(&self) -> usize {

@@ -4,6 +4,7 @@ use crate::error::{Error, ErrorCode, Result, check, expect};
 use crate::integrate::IntegratorKind;
 use crate::math::{Float, Vec3, vec3};
 use crate::narrow_phase::{GjkKind, ManifoldKind, NarrowPhaseKind};
+use crate::solver::SolverKind;
 use crate::world::{Identity, SurfaceMaterial, World, WorldDef};
 
 /// What a world can be made from: a [`WorldConfig`], or a reference to a [`WorldDef`].
@@ -52,7 +53,8 @@ impl WorldConfig {
 pub struct WorldConfig {
     /// The acceleration of everything that falls \[m/s²\]; default (0, −10, 0).
     pub gravity: Vec3,
-    /// Into how many sub-steps the solver divides an update, 1 … 1000; default 4.
+    /// Into how many sub-steps the solver divides an update, or how many iterations it makes if it is one that
+    /// iterates, 1 … 1000; default 4.
     pub solver_steps: usize,
     /// Scale of the speed at which overlapping rigid bodies push each other apart, ≥ 0; default 1, which is
     /// 3 m/s at most.
@@ -155,6 +157,61 @@ impl WorldBuilder {
     /// Which integrator moves the bodies; the engine's choice otherwise.
     pub fn integrator(mut self, kind: IntegratorKind) -> Self {
         self.methods.integrator = kind;
+        self
+    }
+
+    /// Which solver holds the contacts; the engine's choice otherwise.
+    pub fn solver(mut self, kind: SolverKind) -> Self {
+        self.methods.solver = kind;
+        self
+    }
+
+    /// How many sweeps each sub-step has, 0 … 10 000, of the solvers that iterate; with 0, the default, `solver_steps`
+    /// are their iterations, as in the thesis.
+    ///
+    /// # Panics
+    /// Where [`try_solver_iterations`](Self::try_solver_iterations) fails.
+    #[track_caller]
+    pub fn solver_iterations(self, iterations: u32) -> Self {
+        expect(self.try_solver_iterations(iterations))
+    }
+
+    /// How many sweeps each sub-step has, 0 … 10 000 (see [`solver_iterations`](Self::solver_iterations)).
+    ///
+    /// # Errors
+    /// Range.
+    pub fn try_solver_iterations(mut self, iterations: u32) -> Result<Self> {
+        self.methods.solver_iterations = check::count("solver_iterations", iterations, 0, 10_000)?;
+        Ok(self)
+    }
+
+    /// How many corners the friction pyramids of the solvers lemke and dantzig have, 3 … 64; default 8.
+    ///
+    /// # Panics
+    /// Where [`try_friction_facets`](Self::try_friction_facets) fails.
+    #[track_caller]
+    pub fn friction_facets(self, facets: u32) -> Self {
+        expect(self.try_friction_facets(facets))
+    }
+
+    /// How many corners the friction pyramids of the solvers lemke and dantzig have, 3 … 64.
+    ///
+    /// # Errors
+    /// Range.
+    pub fn try_friction_facets(mut self, facets: u32) -> Result<Self> {
+        self.methods.friction_facets = check::count("friction_facets", facets, 3, 64)?;
+        Ok(self)
+    }
+
+    /// Whether sequential_impulse visits the points in another order in every iteration; default true.
+    pub fn shuffle_contacts(mut self, on: bool) -> Self {
+        self.methods.shuffle_contacts = on;
+        self
+    }
+
+    /// Whether the first iterations of sequential_impulse correct by more than is missing; default false.
+    pub fn over_correct(mut self, on: bool) -> Self {
+        self.methods.over_correct = on;
         self
     }
 
