@@ -31,8 +31,11 @@ pub fn check() -> Result<(), Box<dyn Error>> {
     Err(format!("stale tables in {}: run `cargo run -p xtask -- tables`", stale.join(", ")).into())
 }
 
-/// Every document under `root`, as it is and as it should be.
-fn redrawn(root: &Path) -> Result<Vec<(PathBuf, String, String)>, Box<dyn Error>> {
+/// The path of a document, its text as it is and as it should be.
+type Document = (PathBuf, String, String);
+
+/// Every document under `root`.
+fn redrawn(root: &Path) -> Result<Vec<Document>, Box<dyn Error>> {
     let mut paths = vec![root.join("README.md")];
     collect(&root.join("docs"), &mut paths)?;
     paths.sort();
