@@ -1,5 +1,6 @@
 //! How a world is made.
 
+use crate::broad_phase::BroadPhaseKind;
 use crate::error::{Error, ErrorCode, Result, check, expect};
 use crate::math::{Float, Vec3, vec3};
 use crate::world::{Identity, SurfaceMaterial, World, WorldDef};
@@ -26,6 +27,7 @@ impl WorldPlan for WorldConfig {
             gravity: self.gravity,
             restitution_threshold: 0.0,
             enable_sleep: false,
+            broad_phase: self.broad_phase,
             ..WorldDef::default()
         };
         let mut world = def.carry_out()?;
@@ -59,6 +61,9 @@ pub struct WorldConfig {
     pub bounciness: Float,
     /// Coefficient of friction of all shapes, ≥ 0; default 0.6.
     pub friction: Float,
+    /// What finds the pairs of shapes that may touch; default [`BroadPhaseKind::Auto`]. Changes no result, only the
+    /// speed.
+    pub broad_phase: BroadPhaseKind,
 }
 
 impl Default for WorldConfig {
@@ -70,6 +75,7 @@ impl Default for WorldConfig {
             sb_separation_force: 1.0,
             bounciness: 0.0,
             friction: 0.6,
+            broad_phase: BroadPhaseKind::Auto,
         }
     }
 }
@@ -286,6 +292,12 @@ impl WorldBuilder {
     /// NotFinite, Range.
     pub fn try_friction(self, friction: Float) -> Result<Self> {
         Self::checked(WorldConfig { friction, ..self.config })
+    }
+
+    /// Chooses what finds the pairs of shapes that may touch.
+    pub fn broad_phase(mut self, kind: BroadPhaseKind) -> Self {
+        self.config.broad_phase = kind;
+        self
     }
 
     /// Makes the world.
