@@ -1969,6 +1969,11 @@ typedef struct mvVec2 {
 #define mv_broadPhase_omtSplit 15
 
 /**
+ * R-trees packed as mv_broadPhase_omt, patched where shapes move and packed anew when worn out.
+ */
+#define mv_broadPhase_dynamicRTree 16
+
+/**
  * Closed forms and separating axes.
  */
 #define mv_narrowPhase_specialised 1

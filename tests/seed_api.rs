@@ -59,7 +59,7 @@ fn a_builder_sets_the_broad_phase() {
         world.add_staticbody(Shape::new_box(10.0, 1.0, 10.0)).pos(0.0, -1.0, 0.0).finish();
         let ball = world.add_rigidbody(Shape::new_sphere(1.0)).finish();
         (0..50).for_each(|_| world.update(0.01));
-        (world.step_report().tree_height, world.get(ball).unwrap().position())
+        (world.step_report().counters.tree_height, *world.get(ball).unwrap().position())
     };
     let (none, plain) = run(BroadPhaseKind::BruteForce);
     let (one, tree) = run(BroadPhaseKind::Omt);

@@ -1,6 +1,6 @@
 //! What every broad phase must answer, judged by the oracle.
 
-use super::node::{Grown, Growth, Packed, Packing};
+use super::node::{Grown, Growth, Packed, Packing, Repacked};
 use super::random::Random;
 use super::structure::Structure;
 use super::{BroadPhase, BroadPhaseKind, BruteForce, DynamicBvh, Layer, omt, rstar, rtree, str_packing};
@@ -335,6 +335,7 @@ fn wide_trees_stay_sound_through_random_lives() {
     }
     grown::<rtree::Quadratic>();
     grown::<rstar::Margins>();
+    grown::<Repacked<rtree::Quadratic, omt::Cuts>>();
     packed::<str_packing::Tiles>();
     packed::<omt::Cuts>();
 }

@@ -6,8 +6,16 @@
 //!
 //! | variant | idea | from | cost of a step | when | where it fails |
 //! |---|---|---|---|---|---|
-//! | [`BruteForce`] | every moved box against every box | – | moved × all | oracle of the tests; a few dozen boxes | quadratic |
-//! | [`DynamicBvh`] | two binary trees of boxes, static and moving, patched where boxes move | \[Catto GDC19\], \[Bittner 2013\], \[Wald 2007\] | (moved + pairs) × log all | default | boxes that all contain each other make it deep |
+//! | `brute_force` | every moved box against every box | – | moved × all | oracle of the tests; a few dozen boxes | quadratic |
+//! | `dynamic_bvh` | two binary trees of boxes, static and moving, patched where boxes move | \[Catto GDC19\], \[Bittner 2013\], \[Wald 2007\] | (moved + pairs) × log all | default | boxes that all contain each other make it deep |
+//! | `dynamic_rtree` | two packed wide trees, patched where boxes move | \[Guttman 1984\], \[Lee, Lee 2003\] | (moved + pairs) × log all | thousands of boxes, a part of which moves | insertion one by one is slow |
+//! | `sort_and_sweep` | one list, sorted along the axis of greatest spread | \[Baraff 1992\] | all × window | everything moves; long scenes | boxes in a plane across the axis |
+//! | `sort_and_sweep_3` | three sorted lists, overlaps intersected | \[Cohen et al. 1995\] | all × window × 3 | for comparison | large scenes |
+//! | `rtree` | wide tree, least growth of volume, quadratic split | \[Guttman 1984\] | (moved + pairs) × log all | for comparison | nodes overlap |
+//! | `rstar` | wide tree, least overlap, reinsertion | \[Beckmann et al. 1990\] | as `rtree`, slower to build | many questions, few insertions | much comes and goes |
+//! | `str` | wide tree packed in slabs, columns, runs | \[Leutenegger et al. 1997\] | all × log all | everything moves | little moves |
+//! | `omt` | wide tree packed top-down in equal parts | \[Lee, Lee 2003\] | all × log all | everything moves | little moves |
+//! | `…_split` | the same, what stands in a structure of its own | seed | moving instead of all | most stands | – |
 //!
 //! Every variant reports the same pairs in the same order: sorted, unique, complete. No list is ever cut short.
 
@@ -81,12 +89,18 @@ pub enum BroadPhaseKind {
     StrSplit = 14,
     /// [`BroadPhaseKind::Omt`] with what stands in a tree of its own.
     OmtSplit = 15,
+    /// R-trees packed by [`BroadPhaseKind::Omt`], patched where boxes move and packed anew when worn out; what stands
+    /// has a tree of its own.
+    DynamicRTree = 16,
 }
+
+/// How the trees of [`BroadPhaseKind::DynamicRTree`] are kept.
+type Patched = node::Repacked<rtree::Quadratic, omt::Cuts>;
 
 impl BroadPhaseKind {
     /// Every variant that can be built, [`BroadPhaseKind::Auto`] apart.
     #[rustfmt::skip]
-    pub const ALL: [BroadPhaseKind; 15] = [
+    pub const ALL: [BroadPhaseKind; 16] = [
         BroadPhaseKind::BruteForce,
         BroadPhaseKind::DynamicBvh,
         BroadPhaseKind::SortAndSweep,
@@ -102,6 +116,7 @@ impl BroadPhaseKind {
         BroadPhaseKind::RStarSplit,
         BroadPhaseKind::StrSplit,
         BroadPhaseKind::OmtSplit,
+        BroadPhaseKind::DynamicRTree,
     ];
 
     /// The variant's name, as charts and the C API spell it.
@@ -124,6 +139,7 @@ impl BroadPhaseKind {
             BroadPhaseKind::RStarSplit => "rstar_split",
             BroadPhaseKind::StrSplit => "str_split",
             BroadPhaseKind::OmtSplit => "omt_split",
+            BroadPhaseKind::DynamicRTree => "dynamic_rtree",
         }
     }
 
@@ -146,6 +162,7 @@ impl BroadPhaseKind {
             BroadPhaseKind::RStarSplit => Box::new(Split::<node::Grown<rstar::Margins>>::default()),
             BroadPhaseKind::StrSplit => Box::new(Split::<node::Packed<str_packing::Tiles>>::default()),
             BroadPhaseKind::OmtSplit => Box::new(Split::<node::Packed<omt::Cuts>>::default()),
+            BroadPhaseKind::DynamicRTree => Box::new(Split::<node::Grown<Patched>>::default()),
         }
     }
 }

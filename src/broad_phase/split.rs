@@ -11,6 +11,8 @@ pub(super) struct Split<S> {
     /// By [`Layer`].
     sets: [S; 2],
     marks: Marks,
+    /// Scratch: who moved, after where they stand.
+    order: Vec<[u32; 2]>,
 }
 
 impl<S: Structure> Split<S> {
@@ -43,7 +45,7 @@ impl<S: Structure> BroadPhase for Split<S> {
 
     fn find_pairs(&mut self, moved: &[u32], out: &mut Vec<[u32; 2]>) {
         out.clear();
-        let Self { sets: [still, moving], marks } = self;
+        let Self { sets: [still, moving], marks, order } = self;
         still.refresh();
         moving.refresh();
         marks.mark(moved);
@@ -56,7 +58,13 @@ impl<S: Structure> BroadPhase for Split<S> {
             moving.within(&mut meet);
             moving.between(still, &mut meet);
         } else {
-            for &proxy in moved {
+            order.clear();
+            order.extend(moved.iter().map(|&proxy| {
+                let set = if moving.contains(proxy) { &*moving } else { &*still };
+                [set.place_of(proxy), proxy]
+            }));
+            order.sort_unstable();
+            for &[_, proxy] in &*order {
                 let mut meet = |met| {
                     if marks.accept_met(proxy, met) && met != proxy {
                         out.push(ordered(proxy, met));
@@ -110,7 +118,9 @@ impl<S: Structure> BroadPhase for Split<S> {
     }
 
     fn byte_count(&self) -> usize {
-        self.sets.iter().map(Structure::byte_count).sum::<usize>() + self.marks.byte_count()
+        self.sets.iter().map(Structure::byte_count).sum::<usize>()
+            + self.marks.byte_count()
+            + self.order.capacity() * size_of::<[u32; 2]>()
     }
 
     fn clone_box(&self) -> Box<dyn BroadPhase> {

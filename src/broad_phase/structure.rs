@@ -19,6 +19,11 @@ pub(super) trait Structure: Clone + Debug + Default + Send + Sync + 'static {
     fn remove(&mut self, proxy: u32);
     fn update(&mut self, proxy: u32, aabb: &Aabb);
 
+    /// Where a proxy stands: questions asked in this order find in the cache what the last one read.
+    fn place_of(&self, proxy: u32) -> u32 {
+        proxy
+    }
+
     /// Takes in what changed. `within` and `between` are only called right after it.
     fn refresh(&mut self);
     /// Arranges everything anew.
@@ -95,6 +100,8 @@ pub(super) fn ordered(a: u32, b: u32) -> [u32; 2] {
 pub(super) struct Whole<S> {
     set: S,
     marks: Marks,
+    /// Scratch: who moved, after where they stand.
+    order: Vec<[u32; 2]>,
 }
 
 impl<S: Structure> BroadPhase for Whole<S> {
@@ -118,7 +125,7 @@ impl<S: Structure> BroadPhase for Whole<S> {
 
     fn find_pairs(&mut self, moved: &[u32], out: &mut Vec<[u32; 2]>) {
         out.clear();
-        let Self { set, marks } = self;
+        let Self { set, marks, order } = self;
         set.refresh();
         marks.mark(moved);
         if moved.len() * S::JOIN_SHARE > set.len() {
@@ -128,7 +135,10 @@ impl<S: Structure> BroadPhase for Whole<S> {
                 }
             });
         } else {
-            for &proxy in moved {
+            order.clear();
+            order.extend(moved.iter().map(|&proxy| [set.place_of(proxy), proxy]));
+            order.sort_unstable();
+            for &[_, proxy] in &*order {
                 set.query(&set.aabb(proxy), &mut |met| {
                     if marks.accept_met(proxy, met) && met != proxy {
                         out.push(ordered(proxy, met));
@@ -171,7 +181,7 @@ impl<S: Structure> BroadPhase for Whole<S> {
     }
 
     fn byte_count(&self) -> usize {
-        self.set.byte_count() + self.marks.byte_count()
+        self.set.byte_count() + self.marks.byte_count() + self.order.capacity() * size_of::<[u32; 2]>()
     }
 
     fn clone_box(&self) -> Box<dyn BroadPhase> {

@@ -41,6 +41,8 @@ pub const mv_broadPhase_rStarSplit: mvBroadPhaseKind = 13;
 pub const mv_broadPhase_strSplit: mvBroadPhaseKind = 14;
 /// The same as mv_broadPhase_omt, with what stands in a tree of its own.
 pub const mv_broadPhase_omtSplit: mvBroadPhaseKind = 15;
+/// R-trees packed as mv_broadPhase_omt, patched where shapes move and packed anew when worn out.
+pub const mv_broadPhase_dynamicRTree: mvBroadPhaseKind = 16;
 /// Closed forms and separating axes.
 pub const mv_narrowPhase_specialised: mvNarrowPhaseKind = 1;
 /// Iterative distance and penetration: a cross-check by another way.
@@ -64,6 +66,7 @@ const _: () = {
     assert!(mv_broadPhase_rStarSplit == BroadPhaseKind::RStarSplit as i32);
     assert!(mv_broadPhase_strSplit == BroadPhaseKind::StrSplit as i32);
     assert!(mv_broadPhase_omtSplit == BroadPhaseKind::OmtSplit as i32);
+    assert!(mv_broadPhase_dynamicRTree == BroadPhaseKind::DynamicRTree as i32);
     assert!(mv_narrowPhase_specialised == NarrowPhaseKind::Specialised as i32);
     assert!(mv_narrowPhase_gjkEpa == NarrowPhaseKind::GjkEpa as i32);
 };
@@ -149,6 +152,7 @@ fn constant(name: &str) -> *const c_char {
         c"rstar_split",
         c"str_split",
         c"omt_split",
+        c"dynamic_rtree",
         c"specialised",
         c"gjk-epa",
     ];

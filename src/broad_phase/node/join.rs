@@ -36,7 +36,7 @@ impl Nodes {
     /// Calls `meet` with every overlapping pair of a proxy here and one of `other`.
     pub(super) fn between(&self, other: &Nodes, meet: &mut impl FnMut(u32, u32)) {
         if let (Some(a), Some(b)) = (self.root, other.root) {
-            let (box_a, box_b) = (self.node(a).bounds(), other.node(b).bounds());
+            let (box_a, box_b) = (self.node(a).tight_bounds(), other.node(b).tight_bounds());
             if box_a.overlaps(&box_b) {
                 self.between_below(a, other, b, &intersection(&box_a, &box_b), meet);
             }

@@ -10,7 +10,7 @@ mod patch;
 mod walk;
 
 pub(super) use pack::{Builder, Item, Packed, Packing, cut, top_level};
-pub(super) use patch::{Entry, Grown, Growth, LEAST};
+pub(super) use patch::{Entry, Grown, Growth, LEAST, Repacked};
 
 use crate::math::{Aabb, Float, vec3};
 use crate::simd::{BoxProbe, Quad};
@@ -32,8 +32,13 @@ pub(super) struct Node {
     children: [u32; FAN],
     len: u32,
     level: u32,
-    /// The node above, kept where a tree is patched; [`NONE`] for the root.
+    /// The node above and the slot there, kept where a tree is patched; [`NONE`] for the root.
     parent: u32,
+    slot: u32,
+    /// Around all children, kept where a tree is patched; may be too large while `stale`.
+    bounds: Aabb,
+    /// A box of a child was replaced since the last refresh.
+    stale: bool,
 }
 
 impl Node {
@@ -45,6 +50,9 @@ impl Node {
             len: 0,
             level,
             parent: NONE,
+            slot: 0,
+            bounds: Aabb::EMPTY,
+            stale: false,
         }
     }
 
@@ -89,12 +97,8 @@ impl Node {
         self.len -= 1;
     }
 
-    fn slot_of(&self, child: u32) -> usize {
-        self.children.iter().position(|&c| c == child).expect("a child knows its parent")
-    }
-
     /// The least box around the children.
-    fn bounds(&self) -> Aabb {
+    fn tight_bounds(&self) -> Aabb {
         let mut all = Aabb::EMPTY;
         for k in 0..3 {
             let (mut lower, mut upper) = (self.lower[k][0], self.upper[k][0]);
@@ -179,22 +183,25 @@ impl Nodes {
         self.nodes.capacity() * size_of::<Node>() + self.free.capacity() * size_of::<u32>()
     }
 
-    /// Checks that boxes hold what is below them and that levels and counts are right; returns the proxies.
+    /// Checks that boxes hold what is below them (and no more, if `tight`), and that levels and links are right;
+    /// returns the number of proxies.
     #[cfg(test)]
-    fn validate(&self, linked: bool) -> usize {
+    fn validate(&self, linked: bool, tight: bool) -> usize {
         let Some(root) = self.root else { return 0 };
-        let (mut proxies, mut seen, mut stack) = (0, 0, vec![(root, Aabb::EMPTY, NONE)]);
-        while let Some((at, around, parent)) = stack.pop() {
-            let node = self.node(at);
+        let (mut proxies, mut seen, mut stack) = (0, 0, vec![(root, Aabb::EMPTY, NONE, 0)]);
+        while let Some((at, around, parent, slot)) = stack.pop() {
+            let (node, bounds) = (self.node(at), self.node(at).tight_bounds());
             seen += 1;
-            assert!(node.len() > 0 && (!linked || node.parent == parent));
-            assert!(at == root || node.bounds() == around);
+            assert!(node.len() > 0);
+            assert!(!linked || (node.parent == parent && (at == root || node.slot as usize == slot)));
+            assert!(!linked || (node.bounds.contains(&bounds) && (at == root || node.bounds == around)));
+            assert!(at == root || bounds == around || (!tight && around.contains(&bounds)));
             for slot in 0..node.len() {
                 match node.level {
                     0 => proxies += 1,
                     level => {
                         assert_eq!(self.node(node.children[slot]).level, level - 1);
-                        stack.push((node.children[slot], node.aabb(slot), at));
+                        stack.push((node.children[slot], node.aabb(slot), at, slot));
                     }
                 }
             }

@@ -22,7 +22,7 @@ pub(in super::super) struct Item {
 }
 
 impl Item {
-    fn new(index: u32, aabb: &Aabb) -> Self {
+    pub(super) fn new(index: u32, aabb: &Aabb) -> Self {
         let c = aabb.lower + aabb.upper;
         Self { center: [c.x, c.y, c.z], index }
     }
@@ -36,8 +36,9 @@ pub(in super::super) trait Packing: Clone + Debug + Default + Send + Sync + 'sta
 
 /// What a [`Packing`] builds with.
 pub(in super::super) struct Builder<'a> {
-    nodes: &'a mut Nodes,
-    boxes: &'a Boxes,
+    pub(super) nodes: &'a mut Nodes,
+    pub(super) proxies: &'a [u32],
+    pub(super) aabbs: &'a [Aabb],
 }
 
 impl Builder<'_> {
@@ -47,7 +48,7 @@ impl Builder<'_> {
         let node = self.nodes.node_mut(at);
         for item in items {
             let slot = item.index as usize;
-            node.push(self.boxes.proxies[slot], &self.boxes.aabbs[slot]);
+            node.push(self.proxies[slot], &self.aabbs[slot]);
         }
         at
     }
@@ -59,13 +60,13 @@ impl Builder<'_> {
 
     /// Hangs a finished node below another.
     pub fn hang(&mut self, at: u32, child: u32) {
-        let bounds = self.nodes.node(child).bounds();
+        let bounds = self.nodes.node(child).tight_bounds();
         self.nodes.node_mut(at).push(child, &bounds);
     }
 
     /// A finished node as an item.
     pub fn item(&self, node: u32) -> Item {
-        Item::new(node, &self.nodes.node(node).bounds())
+        Item::new(node, &self.nodes.node(node).tight_bounds())
     }
 }
 
@@ -133,7 +134,7 @@ impl<P: Packing> Packed<P> {
     #[cfg(test)]
     pub fn validate(&self) {
         if !self.changed {
-            assert_eq!(self.nodes.validate(false), self.boxes.len());
+            assert_eq!(self.nodes.validate(false, true), self.boxes.len());
         }
     }
 }
@@ -188,8 +189,11 @@ impl<P: Packing> Structure for Packed<P> {
         items.clear();
         items.extend((0..).zip(&boxes.aabbs).map(|(slot, aabb)| Item::new(slot, aabb)));
         nodes.clear();
+        // Nodes are all but full: growing step by step would touch more memory than the tree takes.
+        nodes.nodes.reserve(items.len().div_ceil(FAN - 2));
         if !items.is_empty() {
-            let root = P::pack(&mut Builder { nodes: &mut *nodes, boxes }, items);
+            let mut builder = Builder { nodes: &mut *nodes, proxies: &boxes.proxies, aabbs: &boxes.aabbs };
+            let root = P::pack(&mut builder, items);
             nodes.root = Some(root);
         }
     }
