@@ -2022,6 +2022,76 @@ typedef struct mvVec2 {
 #define mv_broadPhase_dynamicBvh 2
 
 /**
+ * One list sorted along the axis of greatest spread.
+ */
+#define mv_broadPhase_sortAndSweep 3
+
+/**
+ * Three sorted lists, whose overlaps are intersected.
+ */
+#define mv_broadPhase_sortAndSweep3 4
+
+/**
+ * Guttman's R-tree, grown box by box.
+ */
+#define mv_broadPhase_rTree 5
+
+/**
+ * The R*-tree, grown box by box with reinsertion.
+ */
+#define mv_broadPhase_rStar 6
+
+/**
+ * An R-tree packed by sort-tile-recursive, built anew as boxes change.
+ */
+#define mv_broadPhase_str 7
+
+/**
+ * An R-tree packed top-down with least overlap, built anew as boxes change.
+ */
+#define mv_broadPhase_omt 8
+
+/**
+ * All pairs but those of two standing shapes.
+ */
+#define mv_broadPhase_bruteForceSplit 9
+
+/**
+ * The same as mv_broadPhase_sortAndSweep, with what stands in a list of its own.
+ */
+#define mv_broadPhase_sortAndSweepSplit 10
+
+/**
+ * The same as mv_broadPhase_sortAndSweep3, with what stands in lists of its own.
+ */
+#define mv_broadPhase_sortAndSweep3Split 11
+
+/**
+ * The same as mv_broadPhase_rTree, with what stands in a tree of its own.
+ */
+#define mv_broadPhase_rTreeSplit 12
+
+/**
+ * The same as mv_broadPhase_rStar, with what stands in a tree of its own.
+ */
+#define mv_broadPhase_rStarSplit 13
+
+/**
+ * The same as mv_broadPhase_str, with what stands in a tree of its own.
+ */
+#define mv_broadPhase_strSplit 14
+
+/**
+ * The same as mv_broadPhase_omt, with what stands in a tree of its own.
+ */
+#define mv_broadPhase_omtSplit 15
+
+/**
+ * R-trees packed as mv_broadPhase_omt, patched where shapes move and packed anew when worn out.
+ */
+#define mv_broadPhase_dynamicRTree 16
+
+/**
  * Closed forms and separating axes.
  */
 #define mv_narrowPhase_specialised 1

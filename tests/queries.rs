@@ -69,7 +69,7 @@ fn interrogate(world: &World, seed: u64) -> (Vec<ShapeHit>, Vec<ShapeId>) {
 }
 
 #[test]
-fn answers_are_those_of_plain_loops_over_both_broad_phases_at_rest_in_motion_and_after_teleports() {
+fn answers_are_those_of_plain_loops_over_all_broad_phases_at_rest_in_motion_and_after_teleports() {
     for seed in 0..6 {
         let mut found = 0;
         let answers = BroadPhaseKind::ALL.map(|kind| {

@@ -52,6 +52,21 @@ fn defaults_are_those_of_the_document() {
     assert!(close(world.get(ball).unwrap().position().y, -1.25));
 }
 
+#[test]
+fn a_builder_sets_the_broad_phase() {
+    use merev::broad_phase::BroadPhaseKind;
+    let run = |kind| {
+        let mut world = WorldBuilder::new().broad_phase(kind).build();
+        world.add_staticbody(Shape::new_box(10.0, 1.0, 10.0)).pos(0.0, -1.0, 0.0).finish();
+        let ball = world.add_rigidbody(Shape::new_sphere(1.0)).finish();
+        (0..50).for_each(|_| world.update(0.01));
+        (world.step_report().counters.tree_height, *world.get(ball).unwrap().position())
+    };
+    let (none, plain) = run(BroadPhaseKind::BruteForce);
+    let (one, tree) = run(BroadPhaseKind::Omt);
+    assert_eq!((none, one, plain), (0, 1, tree));
+}
+
 /// How fast a ball falls after a second.
 fn gravity_of(builder: WorldBuilder) -> Vec3 {
     let mut world = builder.build();

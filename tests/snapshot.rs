@@ -29,8 +29,10 @@ fn live(world: &mut World, bodies: &mut Vec<BodyId>, seed: u64) -> Vec<u64> {
 
 #[test]
 fn a_restored_world_lives_the_same_life_again() {
-    for kind in BroadPhaseKind::ALL {
-        for seed in 0..4 {
+    for (k, kind) in BroadPhaseKind::ALL.into_iter().enumerate() {
+        // The default is tried longer.
+        for seed in 0..if kind == BroadPhaseKind::DynamicBvh { 4 } else { 1 } {
+            let seed = seed + k as u64;
             let (mut world, mut bodies) = random_world(kind, seed, 60);
             live(&mut world, &mut bodies, seed);
             let (saved, known) = (world.save(), bodies.clone());
@@ -48,12 +50,12 @@ fn a_restored_world_lives_the_same_life_again() {
 }
 
 #[test]
-fn both_broad_phases_live_the_same_life() {
+fn all_broad_phases_live_the_same_life() {
     let lives = BroadPhaseKind::ALL.map(|kind| {
         let (mut world, mut bodies) = random_world(kind, 9, 60);
         live(&mut world, &mut bodies, 10)
     });
-    assert_eq!(lives[0], lives[1]);
+    assert!(lives.iter().all(|life| *life == lives[0]));
 }
 
 #[test]

@@ -1,7 +1,9 @@
 //! What every broad phase must answer, judged by the oracle.
 
+use super::node::{Grown, Growth, Packed, Packing, Repacked};
 use super::random::Random;
-use super::{BroadPhase, BroadPhaseKind, BruteForce, DynamicBvh, Layer};
+use super::structure::Structure;
+use super::{BroadPhase, BroadPhaseKind, BruteForce, DynamicBvh, Layer, omt, rstar, rtree, str_packing};
 use crate::math::{Aabb, Float, Vec3, vec3};
 
 fn each_kind(test: impl Fn(&mut dyn BroadPhase)) {
@@ -74,6 +76,27 @@ fn fifteen_hundred_boxes_in_one_spot() {
         let pairs = all_pairs(bp, 1500);
         assert_eq!(pairs.len(), 1_124_250);
         assert_eq!((pairs[0], pairs[1_124_249]), ([0, 1], [1498, 1499]));
+    });
+}
+
+#[test]
+fn ten_thousand_boxes_in_one_spot_of_which_ten_move() {
+    each_kind(|bp| {
+        let (count, moving) = (10_000, [0, 1, 77, 500, 501, 2345, 5000, 8191, 9998, 9999]);
+        for i in 0..count {
+            let layer = if moving.contains(&i) { Layer::Moving } else { Layer::Static };
+            bp.insert(i, &Aabb::around(vec3(1.0, 1.0, 1.0), vec3(0.5, 0.5, 0.5)), layer);
+        }
+        assert!(bp.stats().height < 40, "a tree of height {}", bp.stats().height);
+        let mut out = Vec::new();
+        bp.find_pairs(&moving, &mut out);
+        assert_eq!(out.len(), 10 * 9990 + 45);
+        assert!(out.is_sorted_by(|a, b| a < b));
+        assert!(out.iter().all(|[a, b]| moving.contains(a) || moving.contains(b)));
+        // Taken out from the middle, half of them.
+        (0..count).filter(|i| i % 2 == 1).for_each(|i| bp.remove(i));
+        bp.find_pairs(&[0, 500, 9998], &mut out);
+        assert_eq!(out.len(), 3 * 4997 + 3);
     });
 }
 
@@ -266,6 +289,94 @@ fn trees_stay_sound_under_small_moves() {
         compare(&mut bvh, &mut oracle, &moved, &mut random, 8.0);
         bvh.validate();
     }
+}
+
+/// Random insertions, moves small and large, and removals, until nothing is left; the tree is checked after each.
+fn live_and_validate<S: Structure>(validate: impl Fn(&S)) {
+    let (mut tree, mut random) = (S::default(), Random::new(11));
+    for round in 0..4000 {
+        let proxy = random.below(400);
+        let b = any_box(&mut random, 20.0);
+        match (tree.contains(proxy), random.below(4)) {
+            (false, _) if round < 3000 => tree.insert(proxy, &b),
+            (true, 0) => tree.remove(proxy),
+            (true, 1) => tree.update(proxy, &b),
+            (true, _) => {
+                let (old, d) = (tree.aabb(proxy), random.vec() * 0.3);
+                tree.update(proxy, &Aabb { lower: old.lower + d, upper: old.upper + d });
+            }
+            _ => {}
+        }
+        if round % 16 == 0 {
+            tree.refresh();
+        }
+        if round % 500 == 250 {
+            tree.rebuild();
+        }
+        validate(&tree);
+    }
+    for proxy in 0..400 {
+        if tree.contains(proxy) {
+            tree.remove(proxy);
+            validate(&tree);
+        }
+    }
+    tree.refresh();
+    assert_eq!((tree.len(), tree.nodes_and_height()), (0, (0, 0)));
+}
+
+#[test]
+fn wide_trees_stay_sound_through_random_lives() {
+    fn grown<G: Growth>() {
+        live_and_validate(Grown::<G>::validate);
+    }
+    fn packed<P: Packing>() {
+        live_and_validate(Packed::<P>::validate);
+    }
+    grown::<rtree::Quadratic>();
+    grown::<rstar::Margins>();
+    grown::<Repacked<rtree::Quadratic, omt::Cuts>>();
+    packed::<str_packing::Tiles>();
+    packed::<omt::Cuts>();
+}
+
+/// After a change and before the next `find_pairs`, too, all questions are answered right.
+#[test]
+fn questions_between_a_change_and_the_next_pairs_see_it() {
+    each_kind(|bp| {
+        let (mut oracle, mut random) = (BruteForce::new(), Random::new(21));
+        let mut used = [false; 200];
+        for round in 0..600 {
+            let (proxy, b) = (random.below(200), any_box(&mut random, 12.0));
+            let used = &mut used[proxy as usize];
+            match (*used, random.below(3)) {
+                (false, _) => {
+                    bp.insert(proxy, &b, Layer::Moving);
+                    oracle.insert(proxy, &b, Layer::Moving);
+                    *used = true;
+                }
+                (true, 0) => {
+                    bp.remove(proxy);
+                    oracle.remove(proxy);
+                    *used = false;
+                }
+                (true, _) => {
+                    bp.update(proxy, &b);
+                    oracle.update(proxy, &b);
+                }
+            }
+            let place = any_box(&mut random, 12.0);
+            assert_eq!(query(bp, &place), query(&oracle, &place));
+            let way = random.vec() * 30.0;
+            assert_eq!(
+                cast(bp, Vec3::zeros(), place.lower, way, 1.0),
+                cast(&oracle, Vec3::zeros(), place.lower, way, 1.0)
+            );
+            if round % 50 == 0 {
+                bp.find_pairs(&[], &mut Vec::new());
+            }
+        }
+    });
 }
 
 #[test]

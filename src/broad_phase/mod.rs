@@ -6,16 +6,38 @@
 //!
 //! | variant | idea | from | cost of a step | when | where it fails |
 //! |---|---|---|---|---|---|
-//! | [`BruteForce`] | every moved box against every box | – | moved × all | oracle of the tests; a few dozen boxes | quadratic |
-//! | [`DynamicBvh`] | two binary trees of boxes, static and moving, patched where boxes move | \[Catto GDC19\], \[Bittner 2013\], \[Wald 2007\] | (moved + pairs) × log all | default | boxes that all contain each other make it deep |
+//! | `brute_force` | every moved box against every box | – | moved × all | oracle of the tests; a few dozen boxes | quadratic |
+//! | `dynamic_bvh` | two binary trees of boxes, static and moving, patched where boxes move | \[Catto GDC19\], \[Bittner 2013\], \[Wald 2007\] | (moved + pairs) × log all | default | boxes that all contain each other make it deep |
+//! | `dynamic_rtree` | two packed wide trees, patched where boxes move | \[Guttman 1984\], \[Lee, Lee 2003\] | (moved + pairs) × log all | thousands of boxes, a part of which moves | insertion one by one is slow |
+//! | `sort_and_sweep` | one list, sorted along the axis of greatest spread | \[Baraff 1992\] | all × window | everything moves; long scenes | boxes in a plane across the axis |
+//! | `sort_and_sweep_3` | three sorted lists, overlaps intersected | \[Cohen et al. 1995\] | all × window × 3 | for comparison | large scenes |
+//! | `rtree` | wide tree, least growth of volume, quadratic split | \[Guttman 1984\] | (moved + pairs) × log all | for comparison | nodes overlap |
+//! | `rstar` | wide tree, least overlap, reinsertion | \[Beckmann et al. 1990\] | as `rtree`, slower to build | many questions, few insertions | much comes and goes |
+//! | `str` | wide tree packed in slabs, columns, runs | \[Leutenegger et al. 1997\] | all × log all | everything moves | little moves |
+//! | `omt` | wide tree packed top-down in equal parts | \[Lee, Lee 2003\] | all × log all | everything moves | little moves |
+//! | `…_split` | the same, what stands in a structure of its own | seed | moving instead of all | most stands | – |
 //!
 //! Every variant reports the same pairs in the same order: sorted, unique, complete. No list is ever cut short.
 
+mod all_pairs;
+mod boxes;
 mod brute_force;
 mod bvh;
 mod dynamic_bvh;
+mod node;
+mod omt;
 mod pair_set;
+mod rstar;
+mod rtree;
 mod slab;
+mod sort_and_sweep;
+mod sort_and_sweep_3;
+mod sorted;
+mod split;
+// `str` is the name of a type.
+#[path = "str.rs"]
+mod str_packing;
+mod structure;
 
 #[cfg(test)]
 mod conformance;
@@ -23,6 +45,7 @@ mod conformance;
 mod random;
 
 use crate::math::{Aabb, Float, Vec3};
+use split::Split;
 use std::fmt::Debug;
 
 pub use brute_force::BruteForce;
@@ -40,11 +63,61 @@ pub enum BroadPhaseKind {
     BruteForce = 1,
     /// [`DynamicBvh`].
     DynamicBvh = 2,
+    /// One sorted list, along the axis of greatest spread.
+    SortAndSweep = 3,
+    /// Three sorted lists, whose overlaps are intersected.
+    SortAndSweep3 = 4,
+    /// Guttman's R-tree, grown box by box.
+    RTree = 5,
+    /// The R*-tree, grown box by box with reinsertion.
+    RStar = 6,
+    /// An R-tree packed by sort-tile-recursive, built anew as boxes change.
+    Str = 7,
+    /// An R-tree packed top-down with least overlap, built anew as boxes change.
+    Omt = 8,
+    /// Every moving box against every box, but no two standing ones.
+    BruteForceSplit = 9,
+    /// [`BroadPhaseKind::SortAndSweep`] with what stands in a list of its own.
+    SortAndSweepSplit = 10,
+    /// [`BroadPhaseKind::SortAndSweep3`] with what stands in lists of its own.
+    SortAndSweep3Split = 11,
+    /// [`BroadPhaseKind::RTree`] with what stands in a tree of its own.
+    RTreeSplit = 12,
+    /// [`BroadPhaseKind::RStar`] with what stands in a tree of its own.
+    RStarSplit = 13,
+    /// [`BroadPhaseKind::Str`] with what stands in a tree of its own.
+    StrSplit = 14,
+    /// [`BroadPhaseKind::Omt`] with what stands in a tree of its own.
+    OmtSplit = 15,
+    /// R-trees packed by [`BroadPhaseKind::Omt`], patched where boxes move and packed anew when worn out; what stands
+    /// has a tree of its own.
+    DynamicRTree = 16,
 }
+
+/// How the trees of [`BroadPhaseKind::DynamicRTree`] are kept.
+type Patched = node::Repacked<rtree::Quadratic, omt::Cuts>;
 
 impl BroadPhaseKind {
     /// Every variant that can be built, [`BroadPhaseKind::Auto`] apart.
-    pub const ALL: [BroadPhaseKind; 2] = [BroadPhaseKind::BruteForce, BroadPhaseKind::DynamicBvh];
+    #[rustfmt::skip]
+    pub const ALL: [BroadPhaseKind; 16] = [
+        BroadPhaseKind::BruteForce,
+        BroadPhaseKind::DynamicBvh,
+        BroadPhaseKind::SortAndSweep,
+        BroadPhaseKind::SortAndSweep3,
+        BroadPhaseKind::RTree,
+        BroadPhaseKind::RStar,
+        BroadPhaseKind::Str,
+        BroadPhaseKind::Omt,
+        BroadPhaseKind::BruteForceSplit,
+        BroadPhaseKind::SortAndSweepSplit,
+        BroadPhaseKind::SortAndSweep3Split,
+        BroadPhaseKind::RTreeSplit,
+        BroadPhaseKind::RStarSplit,
+        BroadPhaseKind::StrSplit,
+        BroadPhaseKind::OmtSplit,
+        BroadPhaseKind::DynamicRTree,
+    ];
 
     /// The variant's name, as charts and the C API spell it.
     #[must_use]
@@ -53,6 +126,20 @@ impl BroadPhaseKind {
             BroadPhaseKind::Auto => "auto",
             BroadPhaseKind::BruteForce => "brute_force",
             BroadPhaseKind::DynamicBvh => "dynamic_bvh",
+            BroadPhaseKind::SortAndSweep => "sort_and_sweep",
+            BroadPhaseKind::SortAndSweep3 => "sort_and_sweep_3",
+            BroadPhaseKind::RTree => "rtree",
+            BroadPhaseKind::RStar => "rstar",
+            BroadPhaseKind::Str => "str",
+            BroadPhaseKind::Omt => "omt",
+            BroadPhaseKind::BruteForceSplit => "brute_force_split",
+            BroadPhaseKind::SortAndSweepSplit => "sort_and_sweep_split",
+            BroadPhaseKind::SortAndSweep3Split => "sort_and_sweep_3_split",
+            BroadPhaseKind::RTreeSplit => "rtree_split",
+            BroadPhaseKind::RStarSplit => "rstar_split",
+            BroadPhaseKind::StrSplit => "str_split",
+            BroadPhaseKind::OmtSplit => "omt_split",
+            BroadPhaseKind::DynamicRTree => "dynamic_rtree",
         }
     }
 
@@ -62,6 +149,20 @@ impl BroadPhaseKind {
         match self {
             BroadPhaseKind::BruteForce => Box::new(BruteForce::new()),
             BroadPhaseKind::Auto | BroadPhaseKind::DynamicBvh => Box::new(DynamicBvh::new()),
+            BroadPhaseKind::SortAndSweep => Box::new(sort_and_sweep::SortAndSweep::default()),
+            BroadPhaseKind::SortAndSweep3 => Box::new(sort_and_sweep_3::SortAndSweep3::default()),
+            BroadPhaseKind::RTree => Box::new(rtree::RTree::default()),
+            BroadPhaseKind::RStar => Box::new(rstar::RStar::default()),
+            BroadPhaseKind::Str => Box::new(str_packing::Str::default()),
+            BroadPhaseKind::Omt => Box::new(omt::Omt::default()),
+            BroadPhaseKind::BruteForceSplit => Box::new(Split::<all_pairs::AllPairs>::default()),
+            BroadPhaseKind::SortAndSweepSplit => Box::new(Split::<sort_and_sweep::Line>::default()),
+            BroadPhaseKind::SortAndSweep3Split => Box::new(Split::<sort_and_sweep_3::Lines>::default()),
+            BroadPhaseKind::RTreeSplit => Box::new(Split::<node::Grown<rtree::Quadratic>>::default()),
+            BroadPhaseKind::RStarSplit => Box::new(Split::<node::Grown<rstar::Margins>>::default()),
+            BroadPhaseKind::StrSplit => Box::new(Split::<node::Packed<str_packing::Tiles>>::default()),
+            BroadPhaseKind::OmtSplit => Box::new(Split::<node::Packed<omt::Cuts>>::default()),
+            BroadPhaseKind::DynamicRTree => Box::new(Split::<node::Grown<Patched>>::default()),
         }
     }
 }

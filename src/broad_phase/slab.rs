@@ -30,6 +30,26 @@ impl Sweep {
         sweep
     }
 
+    /// A box that every box with an [`entry`](Self::entry) up to `max_fraction` overlaps.
+    pub fn bounds(&self, max_fraction: Float) -> Aabb {
+        let mut b = Aabb::around(self.origin, self.half);
+        for k in 0..3 {
+            let way = if self.inv[k] != 0.0 { max_fraction / self.inv[k] } else { 0.0 };
+            b.lower[k] += way.min(0.0);
+            b.upper[k] += way.max(0.0);
+            // Far more than the roundings in `entry` and here.
+            let slack = 32.0 * EPSILON * (self.origin[k].abs() + self.half[k] + way.abs());
+            b.lower[k] -= slack;
+            b.upper[k] += slack;
+        }
+        b
+    }
+
+    /// Whether the sweep goes towards lower coordinates along an axis.
+    pub fn goes_back(&self, axis: usize) -> bool {
+        self.inv[axis] < 0.0
+    }
+
     /// The fraction of the translation, in [0, `max_fraction`], at which `b` is first touched.
     #[inline]
     pub fn entry(&self, b: &Aabb, max_fraction: Float) -> Option<Float> {

@@ -40,6 +40,34 @@ pub const mv_integrator_exactRotation: mvIntegratorKind = 7;
 pub const mv_broadPhase_bruteForce: mvBroadPhaseKind = 1;
 /// Trees of boxes that follow the motion.
 pub const mv_broadPhase_dynamicBvh: mvBroadPhaseKind = 2;
+/// One list sorted along the axis of greatest spread.
+pub const mv_broadPhase_sortAndSweep: mvBroadPhaseKind = 3;
+/// Three sorted lists, whose overlaps are intersected.
+pub const mv_broadPhase_sortAndSweep3: mvBroadPhaseKind = 4;
+/// Guttman's R-tree, grown box by box.
+pub const mv_broadPhase_rTree: mvBroadPhaseKind = 5;
+/// The R*-tree, grown box by box with reinsertion.
+pub const mv_broadPhase_rStar: mvBroadPhaseKind = 6;
+/// An R-tree packed by sort-tile-recursive, built anew as boxes change.
+pub const mv_broadPhase_str: mvBroadPhaseKind = 7;
+/// An R-tree packed top-down with least overlap, built anew as boxes change.
+pub const mv_broadPhase_omt: mvBroadPhaseKind = 8;
+/// All pairs but those of two standing shapes.
+pub const mv_broadPhase_bruteForceSplit: mvBroadPhaseKind = 9;
+/// The same as mv_broadPhase_sortAndSweep, with what stands in a list of its own.
+pub const mv_broadPhase_sortAndSweepSplit: mvBroadPhaseKind = 10;
+/// The same as mv_broadPhase_sortAndSweep3, with what stands in lists of its own.
+pub const mv_broadPhase_sortAndSweep3Split: mvBroadPhaseKind = 11;
+/// The same as mv_broadPhase_rTree, with what stands in a tree of its own.
+pub const mv_broadPhase_rTreeSplit: mvBroadPhaseKind = 12;
+/// The same as mv_broadPhase_rStar, with what stands in a tree of its own.
+pub const mv_broadPhase_rStarSplit: mvBroadPhaseKind = 13;
+/// The same as mv_broadPhase_str, with what stands in a tree of its own.
+pub const mv_broadPhase_strSplit: mvBroadPhaseKind = 14;
+/// The same as mv_broadPhase_omt, with what stands in a tree of its own.
+pub const mv_broadPhase_omtSplit: mvBroadPhaseKind = 15;
+/// R-trees packed as mv_broadPhase_omt, patched where shapes move and packed anew when worn out.
+pub const mv_broadPhase_dynamicRTree: mvBroadPhaseKind = 16;
 /// Closed forms and separating axes.
 pub const mv_narrowPhase_specialised: mvNarrowPhaseKind = 1;
 /// Iterative distance and penetration: a cross-check by another way.
@@ -76,6 +104,20 @@ const _: () = {
     assert!(mv_integrator_exactRotation == IntegratorKind::ExactRotation as i32);
     assert!(mv_broadPhase_bruteForce == BroadPhaseKind::BruteForce as i32);
     assert!(mv_broadPhase_dynamicBvh == BroadPhaseKind::DynamicBvh as i32);
+    assert!(mv_broadPhase_sortAndSweep == BroadPhaseKind::SortAndSweep as i32);
+    assert!(mv_broadPhase_sortAndSweep3 == BroadPhaseKind::SortAndSweep3 as i32);
+    assert!(mv_broadPhase_rTree == BroadPhaseKind::RTree as i32);
+    assert!(mv_broadPhase_rStar == BroadPhaseKind::RStar as i32);
+    assert!(mv_broadPhase_str == BroadPhaseKind::Str as i32);
+    assert!(mv_broadPhase_omt == BroadPhaseKind::Omt as i32);
+    assert!(mv_broadPhase_bruteForceSplit == BroadPhaseKind::BruteForceSplit as i32);
+    assert!(mv_broadPhase_sortAndSweepSplit == BroadPhaseKind::SortAndSweepSplit as i32);
+    assert!(mv_broadPhase_sortAndSweep3Split == BroadPhaseKind::SortAndSweep3Split as i32);
+    assert!(mv_broadPhase_rTreeSplit == BroadPhaseKind::RTreeSplit as i32);
+    assert!(mv_broadPhase_rStarSplit == BroadPhaseKind::RStarSplit as i32);
+    assert!(mv_broadPhase_strSplit == BroadPhaseKind::StrSplit as i32);
+    assert!(mv_broadPhase_omtSplit == BroadPhaseKind::OmtSplit as i32);
+    assert!(mv_broadPhase_dynamicRTree == BroadPhaseKind::DynamicRTree as i32);
     assert!(mv_narrowPhase_specialised == NarrowPhaseKind::Specialised as i32);
     assert!(mv_narrowPhase_gjkEpa == NarrowPhaseKind::GjkEpa as i32);
     assert!(mv_narrowPhase_gjkMpr == NarrowPhaseKind::GjkMpr as i32);
@@ -156,8 +198,10 @@ pub(super) fn integrator(kind: mvIntegratorKind) -> Result<IntegratorKind> {
 }
 
 pub(super) fn broad_phase(kind: mvBroadPhaseKind) -> Result<BroadPhaseKind> {
-    let all = [BroadPhaseKind::Auto, BroadPhaseKind::BruteForce, BroadPhaseKind::DynamicBvh];
-    choice("broadPhase", kind, &all, |k| k as i32)
+    if kind == BroadPhaseKind::Auto as i32 {
+        return Ok(BroadPhaseKind::Auto);
+    }
+    choice("broadPhase", kind, &BroadPhaseKind::ALL, |k| k as i32)
 }
 
 pub(super) fn narrow_phase(kind: mvNarrowPhaseKind) -> Result<NarrowPhaseKind> {
@@ -201,6 +245,20 @@ fn constant(name: &str) -> *const c_char {
         c"johnson",
         c"sutherland_hodgman",
         c"clipper2",
+        c"sort_and_sweep",
+        c"sort_and_sweep_3",
+        c"rtree",
+        c"rstar",
+        c"str",
+        c"omt",
+        c"brute_force_split",
+        c"sort_and_sweep_split",
+        c"sort_and_sweep_3_split",
+        c"rtree_split",
+        c"rstar_split",
+        c"str_split",
+        c"omt_split",
+        c"dynamic_rtree",
     ];
     NAMES.iter().find(|n| n.to_bytes() == name.as_bytes()).map_or(c"unnamed".as_ptr(), |n| n.as_ptr())
 }

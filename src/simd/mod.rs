@@ -4,8 +4,10 @@
 //! `Float` itself is the lane of width 1, the oracle. [`Four`] has four: one SSE register for f32 on x86-64
 //! (baseline there, so nothing is detected at run time), a plain array elsewhere.
 
+mod boxes;
 mod four;
 
+pub use boxes::BoxProbe;
 pub use four::Four;
 
 use crate::math::Float;

@@ -1,9 +1,11 @@
-//! Chores of the repository: `cargo run -p xtask -- header [--check]`.
+//! Chores of the repository: `cargo xtask header [--check]`, `cargo xtask tables [--check]`.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+mod csv;
 mod header;
+mod tables;
 
 fn main() -> ExitCode {
     let args: Vec<String> = std::env::args().skip(1).collect();
@@ -11,7 +13,9 @@ fn main() -> ExitCode {
     let done = match args[..] {
         ["header"] => header::write(),
         ["header", "--check"] => header::check(),
-        _ => Err("usage: xtask header [--check]".into()),
+        ["tables"] => tables::write(),
+        ["tables", "--check"] => tables::check(),
+        _ => Err("usage: xtask header [--check] | tables [--check]".into()),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

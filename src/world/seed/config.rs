@@ -1,5 +1,6 @@
 //! How a world is made.
 
+use crate::broad_phase::BroadPhaseKind;
 use crate::error::{Error, ErrorCode, Result, check, expect};
 use crate::integrate::IntegratorKind;
 use crate::math::{Float, Vec3, vec3};
@@ -374,6 +375,12 @@ impl WorldBuilder {
     /// without the kind.
     pub fn manifold(mut self, kind: ManifoldKind) -> Self {
         self.methods.manifold = kind;
+        self
+    }
+
+    /// Chooses what finds the pairs of shapes that may touch.
+    pub fn broad_phase(mut self, kind: BroadPhaseKind) -> Self {
+        self.methods.broad_phase = kind;
         self
     }
 
