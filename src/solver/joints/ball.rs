@@ -4,7 +4,8 @@
 //!   C = d,   Ċ = v_B + ω_B × r_B − v_A − ω_A × r_A
 //!   K = (1/m_A + 1/m_B) 1 − r_A× I_A⁻¹ r_A× − r_B× I_B⁻¹ r_B×
 //! and a joint's impulse λ (on B, world axes) changes by K⁻¹ (aim − Ċ). The aims of the two passes are those of every
-//! hard row, see the module above.
+//! hard row, see the module above. One sweep is far from the solution of a large mesh, and impulses that only ever add
+//! up what is left would ring: so the first pass is a soft constraint \[Catto GDC11\], whose impulse leaks.
 
 use crate::body::NONE;
 use crate::math::{Float, Vec3};
@@ -167,7 +168,7 @@ impl<L: Lane> BallBlock<L> {
 
     /// What the first pass is after; `ahead` says where bodies would be if nothing changed.
     #[inline(always)]
-    pub fn look_ahead(&mut self, rows: &Rows, ahead: &[[Quad; 2]], push: Float, sub: &SubStep) {
+    pub fn look_ahead(&mut self, rows: &Rows, ahead: &[[Quad; 2]], rate: Float, push: Float, sub: &SubStep) {
         let gather = |index: &L::Index| {
             let index = index.as_ref();
             let [x, y, z, _] = L::gather(|i| ahead[index[i] as usize][0]);
@@ -178,18 +179,21 @@ impl<L: Lane> BallBlock<L> {
         let (ra, rb) = (turned(ua, wa, self.start[0]), turned(ub, wb, self.start[1]));
         let predicted = self.offset + (xb - xa) + (rb - ra);
         let inv_h = L::splat(sub.inv_h);
-        let size = self.d.dot(self.d).sqrt() * inv_h;
+        let rate = L::splat(rate);
+        let size = self.d.dot(self.d).sqrt() * rate;
         let most = L::splat(push);
-        let cut = L::select(size.gt(most), most.over(L::select(size.gt(most), size, most)), L::splat(0.25));
+        let beyond = size.gt(most);
+        let rate = L::select(beyond, rate * most.over(L::select(beyond, size, most)), rate);
         let (a, b) = (rows.gather::<L>(&self.a), rows.gather::<L>(&self.b));
-        self.aim = self.speed(&a, &b) - self.d.times(inv_h * cut) - (predicted - self.d).times(inv_h);
+        self.aim = self.speed(&a, &b) - self.d.times(rate) - (predicted - self.d).times(inv_h);
     }
 
-    /// One sweep towards the aim.
+    /// One sweep towards the aim, by this share of the way and with this share of the impulse leaking.
     #[inline(always)]
-    pub fn solve(&mut self, rows: &mut Rows) {
+    pub fn solve(&mut self, rows: &mut Rows, share: Float, leak: Float) {
         let (mut a, mut b) = (rows.gather::<L>(&self.a), rows.gather::<L>(&self.b));
-        let p = self.mass.times(self.aim - self.speed(&a, &b));
+        let p = self.mass.times(self.aim - self.speed(&a, &b)).times(L::splat(share))
+            - self.lambda.times(L::splat(leak));
         self.lambda = self.lambda + p;
         self.apply(p, &mut a, &mut b);
         rows.scatter::<L>(&self.a, &a);

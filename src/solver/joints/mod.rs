@@ -25,6 +25,7 @@ use crate::body::{BodyStore, NONE, SetId};
 use crate::constraint::joint::store::{coordinate, follow_turns};
 use crate::constraint::joint::{Angle, Geometry, JointKind, JointStore, Rows as Drafts};
 use crate::integrate::{Integrator, PrincipalAxes, with_integrator};
+use crate::math::scalar::PI;
 use crate::math::{Float, Quat, Vec3, length, rotate};
 use crate::simd::{Four, Lane, Quad};
 use crate::solver::bodies::Bodies;
@@ -212,6 +213,8 @@ impl Workspace {
     ) {
         let (start, first_member) = (self.joints.len(), self.members.len());
         // Impulses are per sub-step.
+        let planned = self.groups.list[group].plan.is_some();
+        let mesh = (!planned).then_some([MESH[0] / settings.h(), MESH[1]]);
         let scale = match settings.last_h {
             h if h > 0.0 && settings.warm_starting => settings.h() / h,
             _ => 0.0,
@@ -248,7 +251,7 @@ impl Workspace {
             self.write_drafts(place, joints, |_| AT_HOME);
             let first = self.rows.len();
             for (draft, &impulse) in self.drafts.rows.iter().zip(&joint.impulse) {
-                let mut row = SolverRow::new(draft, joint, body, settings.h());
+                let mut row = SolverRow::new(draft, joint, body, settings.h(), mesh);
                 row.place(draft, &bodies.rows);
                 row.lambda = impulse * scale;
                 self.rows.push(row);
@@ -287,12 +290,12 @@ impl Workspace {
         self.members.truncate(first_member + kept);
         for &m in &self.members[first_member..] {
             let aux = &mut bodies.rows.aux[m as usize];
-            (aux.jointed, aux.planned) = (true, self.groups.list[group].plan.is_some());
+            (aux.jointed, aux.planned) = (true, planned);
         }
         self.components.push(Component {
             joints: start..self.joints.len(),
             group,
-            planned: self.groups.list[group].plan.is_some(),
+            planned,
             colors: first_color..self.balls.colors.len(),
             members: first_member..first_member + kept,
             damped: false,
@@ -395,6 +398,7 @@ impl Workspace {
     /// The first pass.
     pub fn solve(&mut self, batch: usize, bodies: &mut Bodies, joints: &JointStore, sub: &SubStep) {
         let lag = with_integrator!(sub.integrator, I => I::LAG * sub.h);
+        let soft = soft_mesh(sub.h);
         for c in self.batches[batch].clone() {
             self.note_velocities(c, &bodies.rows);
             let Component { joints: places, planned, colors, .. } = self.components[c].clone();
@@ -418,9 +422,13 @@ impl Workspace {
                     row.want(Pass::Solve { predicted: draft.c }, &bodies.rows, sub, lag);
                 }
             }
-            self.balls.each(colors.clone(), &mut bodies.rows, LookAhead { ahead: &self.ahead, sub });
+            self.balls.each(
+                colors.clone(),
+                &mut bodies.rows,
+                LookAhead { ahead: &self.ahead, rate: soft[0], sub },
+            );
             self.impulses(c, &mut bodies.rows, heavier || !planned, Aim::Bend);
-            self.balls.each(colors, &mut bodies.rows, Solve);
+            self.balls.each(colors, &mut bodies.rows, Solve { share: soft[1], leak: soft[2] });
             self.note_momenta(c, &mut bodies.rows);
         }
     }
@@ -435,7 +443,7 @@ impl Workspace {
             }
             self.balls.each(colors.clone(), &mut bodies.rows, BeginRelax);
             self.impulses(c, &mut bodies.rows, true, Aim::Rest);
-            self.balls.each(colors.clone(), &mut bodies.rows, Solve);
+            self.balls.each(colors.clone(), &mut bodies.rows, Solve { share: 1.0, leak: 0.0 });
             self.balls.each(colors, &mut bodies.rows, End);
             for placed in &mut self.joints[places] {
                 for row in &self.rows[placed.rows.clone()] {
@@ -579,6 +587,18 @@ fn rows_of(list: &[Placed]) -> Range<usize> {
     }
 }
 
+/// Stiffness of the joints of a mesh, as a share of the sub-step rate, and their damping ratio.
+const MESH: [Float; 2] = [0.25, 2.0];
+
+/// Push-out rate \[1/s\], mass scale and impulse scale of a mesh's joints over the sub-step `h`.
+fn soft_mesh(h: Float) -> [Float; 3] {
+    let w = 2.0 * PI * MESH[0] / h;
+    let a1 = 2.0 * MESH[1] + h * w;
+    let a2 = h * w * a1;
+    let a3 = 1.0 / (1.0 + a2);
+    [w / a1, a2 * a3, a3]
+}
+
 /// Errors that a sub-step is to lessen by less than this \[m, rad\] are what is left of rounding and of motion.
 const STUBBORN: Float = 1e-4;
 
@@ -610,9 +630,13 @@ struct Forget;
 struct WarmStart;
 struct LookAhead<'a> {
     ahead: &'a [[Quad; 2]],
+    rate: Float,
     sub: &'a SubStep,
 }
-struct Solve;
+struct Solve {
+    share: Float,
+    leak: Float,
+}
 struct BeginRelax;
 struct End;
 
@@ -628,12 +652,12 @@ impl OnBall for WarmStart {
 }
 impl OnBall for LookAhead<'_> {
     fn run<L: Lane>(&self, block: &mut BallBlock<L>, rows: &mut Rows) {
-        block.look_ahead(rows, self.ahead, PUSH_SPEED, self.sub);
+        block.look_ahead(rows, self.ahead, self.rate, PUSH_SPEED, self.sub);
     }
 }
 impl OnBall for Solve {
     fn run<L: Lane>(&self, block: &mut BallBlock<L>, rows: &mut Rows) {
-        block.solve(rows);
+        block.solve(rows, self.share, self.leak);
     }
 }
 impl OnBall for BeginRelax {

@@ -67,12 +67,22 @@ pub struct SolverRow {
 }
 
 impl SolverRow {
-    /// A row without impulse; `h` is the sub-step \[s\].
-    pub fn new(draft: &JointRow, joint: &Joint, bodies: [u32; 4], h: Float) -> Self {
+    /// A row without impulse; `h` is the sub-step \[s\]. Hard rows of a mesh are springs of that frequency and damping
+    /// ratio: what is solved one after another would ring if it were rigid.
+    pub fn new(
+        draft: &JointRow,
+        joint: &Joint,
+        bodies: [u32; 4],
+        h: Float,
+        mesh: Option<[Float; 2]>,
+    ) -> Self {
         let mut law = draft.law;
         if law == Law::Equal && joint.hertz > 0.0 {
             let force = [Float::NEG_INFINITY, Float::INFINITY];
             law = Law::Spring { hertz: joint.hertz, damping_ratio: joint.damping_ratio, force };
+        } else if let (Law::Equal, Some([hertz, damping_ratio])) = (law, mesh) {
+            let force = [Float::NEG_INFINITY, Float::INFINITY];
+            law = Law::Spring { hertz, damping_ratio, force };
         }
         let (least, most) = match law {
             Law::Equal => (Float::NEG_INFINITY, Float::INFINITY),
