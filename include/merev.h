@@ -319,6 +319,24 @@ typedef struct mvShapeId {
 } mvShapeId;
 
 /**
+ * A joint between bodies. Zero is null.
+ */
+typedef struct mvJointId {
+    /**
+     * The place among the joints of its world, counted from 1; 0 is null.
+     */
+    int32_t index1;
+    /**
+     * The place of its world among the worlds, counted from 0.
+     */
+    uint16_t world0;
+    /**
+     * How often that place has been used.
+     */
+    uint16_t generation;
+} mvJointId;
+
+/**
  * An axis-aligned box.
  */
 typedef struct mvAABB {
@@ -1371,6 +1389,46 @@ typedef struct mvContactEvents {
 } mvContactEvents;
 
 /**
+ * A joint carried more than one of its thresholds in the last step.
+ */
+typedef struct mvJointEvent {
+    /**
+     * The joint; stale where it broke.
+     */
+    mvJointId jointId;
+    /**
+     * The joint's user data.
+     */
+    void *userData;
+    /**
+     * The size of its force on body B, mean over the step [N].
+     */
+    mvFloat force;
+    /**
+     * The size of its torque on body B, mean over the step [N m].
+     */
+    mvFloat torque;
+    /**
+     * Whether it broke.
+     */
+    bool broke;
+} mvJointEvent;
+
+/**
+ * The joints that carried too much in a step.
+ */
+typedef struct mvJointEvents {
+    /**
+     * The events, in order of the joints' places. Valid until the next step.
+     */
+    mvJointEvent *jointEvents;
+    /**
+     * Their number.
+     */
+    int count;
+} mvJointEvents;
+
+/**
  * A ray to be cast at a shape, in the shape's frame.
  */
 typedef struct mvRayCastInput {
@@ -1478,6 +1536,909 @@ typedef struct mvBoxHull {
      */
     uint16_t padding[2];
 } mvBoxHull;
+
+/**
+ * What a joint is: one of the mv_...Joint constants. Numbers are never reused.
+ */
+typedef int32_t mvJointType;
+
+/**
+ * What all joints have. A part of each joint's definition, set by its mvDefault...JointDef().
+ */
+typedef struct mvJointDef {
+    /**
+     * Anything: mvJoint_GetUserData().
+     */
+    void *userData;
+    /**
+     * The first body.
+     */
+    mvBodyId bodyIdA;
+    /**
+     * The second body, another one of the same world. At least one of them should be dynamic.
+     */
+    mvBodyId bodyIdB;
+    /**
+     * Where the joint's frame A is in body A, from the body's origin; default the identity.
+     */
+    mvTransform localFrameA;
+    /**
+     * Where the joint's frame B is in body B, from the body's origin; default the identity.
+     */
+    mvTransform localFrameB;
+    /**
+     * Above this force the joint makes an event [N], >= 0; default infinity.
+     */
+    mvFloat forceThreshold;
+    /**
+     * Above this torque the joint makes an event [N m], >= 0; default infinity.
+     */
+    mvFloat torqueThreshold;
+    /**
+     * How stiffly the joint holds what it holds [Hz], >= 0; 0, the default, is rigid.
+     */
+    mvFloat constraintHertz;
+    /**
+     * The damping ratio that belongs to it, >= 0; default 2.
+     */
+    mvFloat constraintDampingRatio;
+    /**
+     * The size in drawings [m], >= 0; default 1.
+     */
+    mvFloat drawScale;
+    /**
+     * Whether the two bodies collide with each other; default false.
+     */
+    bool collideConnected;
+    /**
+     * Whether the joint breaks where it would make an event; default false.
+     */
+    bool breakable;
+} mvJointDef;
+
+/**
+ * A distance joint: holds the origins of the frames at a distance. Without the spring it is a rigid rod; with it a
+ * spring, within limits and with a motor if those are enabled: a rope is an enabled spring of 0 Hz with an upper
+ * limit.
+ * Made by mvDefaultDistanceJointDef().
+ */
+typedef struct mvDistanceJointDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * What all joints have.
+     */
+    mvJointDef base;
+    /**
+     * The length of the rod, or at which the spring rests [m], >= 0; default 1.
+     */
+    mvFloat length;
+    /**
+     * Whether it is a spring instead of a rod; default false.
+     */
+    bool enableSpring;
+    /**
+     * How hard the spring may pull: the least force, negative [N]; default minus infinity.
+     */
+    mvFloat lowerSpringForce;
+    /**
+     * How hard the spring may push: the greatest force [N]; default infinity.
+     */
+    mvFloat upperSpringForce;
+    /**
+     * The frequency of the spring [Hz], >= 0; default 0: no force.
+     */
+    mvFloat hertz;
+    /**
+     * Its damping ratio, >= 0; 1 is critical; default 0.
+     */
+    mvFloat dampingRatio;
+    /**
+     * Whether the length is limited. Acts with the spring only. Default false.
+     */
+    bool enableLimit;
+    /**
+     * The least length [m], >= 0; default 0.
+     */
+    mvFloat minLength;
+    /**
+     * The greatest length [m], not below the least; default 100000.
+     */
+    mvFloat maxLength;
+    /**
+     * Whether a motor changes the length. Acts with the spring only. Default false.
+     */
+    bool enableMotor;
+    /**
+     * The greatest force of the motor [N], >= 0; default 0.
+     */
+    mvFloat maxMotorForce;
+    /**
+     * The speed at which the motor wants the length to grow [m/s]; default 0.
+     */
+    mvFloat motorSpeed;
+} mvDistanceJointDef;
+
+/**
+ * A filter joint: the bodies do not collide with each other; nothing else happens to them.
+ * Made by mvDefaultFilterJointDef().
+ */
+typedef struct mvFilterJointDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * What all joints have.
+     */
+    mvJointDef base;
+} mvFilterJointDef;
+
+/**
+ * A gear joint: the coordinates of two joints, each revolute or prismatic, stay in step: that of the first plus
+ * ratio times that of the second does not change. The bodies and frames in base are not used: those of the two
+ * joints count. It is destroyed with either of them.
+ * Made by mvDefaultGearJointDef().
+ */
+typedef struct mvGearJointDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * What all joints have.
+     */
+    mvJointDef base;
+    /**
+     * The first joint, revolute or prismatic.
+     */
+    mvJointId jointIdA;
+    /**
+     * The second joint, revolute or prismatic.
+     */
+    mvJointId jointIdB;
+    /**
+     * How far the first coordinate goes back when the second goes on by 1, not 0; default 1.
+     */
+    mvFloat ratio;
+} mvGearJointDef;
+
+/**
+ * A motor joint: drives frame B against frame A towards a velocity, and by springs towards the place of frame A.
+ * Vectors are in the axes of frame A.
+ * Made by mvDefaultMotorJointDef().
+ */
+typedef struct mvMotorJointDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * What all joints have.
+     */
+    mvJointDef base;
+    /**
+     * The velocity of B that is wanted [m/s]; default 0.
+     */
+    mvVec3 linearVelocity;
+    /**
+     * The greatest force for it, along each axis [N], >= 0; default 0.
+     */
+    mvFloat maxVelocityForce;
+    /**
+     * The angular velocity of B that is wanted [rad/s]; default 0.
+     */
+    mvVec3 angularVelocity;
+    /**
+     * The greatest torque for it, about each axis [N m], >= 0; default 0.
+     */
+    mvFloat maxVelocityTorque;
+    /**
+     * The frequency of the spring that brings the origins together [Hz], >= 0; default 0: none.
+     */
+    mvFloat linearHertz;
+    /**
+     * Its damping ratio, >= 0; default 1.
+     */
+    mvFloat linearDampingRatio;
+    /**
+     * Its greatest force, along each axis [N], >= 0; default 0.
+     */
+    mvFloat maxSpringForce;
+    /**
+     * The frequency of the spring that turns the axes along each other [Hz], >= 0; default 0: none.
+     */
+    mvFloat angularHertz;
+    /**
+     * Its damping ratio, >= 0; default 1.
+     */
+    mvFloat angularDampingRatio;
+    /**
+     * Its greatest torque, about each axis [N m], >= 0; default 0.
+     */
+    mvFloat maxSpringTorque;
+} mvMotorJointDef;
+
+/**
+ * A parallel joint: a spring keeps z of frame B along z of frame A, so that a body stays upright. All else is
+ * free.
+ * Made by mvDefaultParallelJointDef().
+ */
+typedef struct mvParallelJointDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * What all joints have.
+     */
+    mvJointDef base;
+    /**
+     * The frequency of the spring [Hz], >= 0; default 1.
+     */
+    mvFloat hertz;
+    /**
+     * Its damping ratio, >= 0; 1, the default, is critical.
+     */
+    mvFloat dampingRatio;
+    /**
+     * Its greatest torque about each axis [N m], >= 0; default infinity.
+     */
+    mvFloat maxTorque;
+} mvParallelJointDef;
+
+/**
+ * A prismatic joint: frame B slides along x of frame A and does not turn against it. The translation is that of
+ * B's origin along x of frame A.
+ * Made by mvDefaultPrismaticJointDef().
+ */
+typedef struct mvPrismaticJointDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * What all joints have.
+     */
+    mvJointDef base;
+    /**
+     * Whether a spring acts; default false.
+     */
+    bool enableSpring;
+    /**
+     * The frequency of the spring [Hz], >= 0; default 0: no force.
+     */
+    mvFloat hertz;
+    /**
+     * The damping ratio of the spring, >= 0; 1 is critical; default 0.
+     */
+    mvFloat dampingRatio;
+    /**
+     * The greatest force of the spring [N], >= 0; default infinity.
+     */
+    mvFloat maxSpringForce;
+    /**
+     * The translation at which the spring rests [m]; default 0.
+     */
+    mvFloat targetTranslation;
+    /**
+     * Whether the translation is limited; default false.
+     */
+    bool enableLimit;
+    /**
+     * The least translation [m]; default 0.
+     */
+    mvFloat lowerTranslation;
+    /**
+     * The greatest translation [m], not below the least; default 0.
+     */
+    mvFloat upperTranslation;
+    /**
+     * Whether a motor acts; default false.
+     */
+    bool enableMotor;
+    /**
+     * The greatest force of the motor [N], >= 0; default 0.
+     */
+    mvFloat maxMotorForce;
+    /**
+     * The speed that the motor wants [m/s]; default 0.
+     */
+    mvFloat motorSpeed;
+    /**
+     * The force of dry friction [N], >= 0; default 0.
+     */
+    mvFloat friction;
+} mvPrismaticJointDef;
+
+/**
+ * A pulley joint: a rope runs from body A over a fixed point to another and down to body B. Its length, the part
+ * at A plus ratio times the part at B, stays within bounds.
+ * Made by mvDefaultPulleyJointDef().
+ */
+typedef struct mvPulleyJointDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * What all joints have.
+     */
+    mvJointDef base;
+    /**
+     * The fixed point above body A, in the world [m]; default the origin.
+     */
+    mvPos groundAnchorA;
+    /**
+     * The fixed point above body B, in the world [m]; default the origin.
+     */
+    mvPos groundAnchorB;
+    /**
+     * How many lengths of rope hold B for each that holds A, > 0; default 1.
+     */
+    mvFloat ratio;
+    /**
+     * The least length [m], >= 0; 0, the default: the rope may be slack.
+     */
+    mvFloat minLength;
+    /**
+     * The greatest length [m], >= 0; 0, the default: what it is when the joint is made.
+     */
+    mvFloat maxLength;
+} mvPulleyJointDef;
+
+/**
+ * A rack and pinion: the angle of a revolute joint stays in step with the translation of a prismatic joint: the
+ * angle plus ratio times the translation does not change. The bodies and frames in base are not used: those of the
+ * two joints count. It is destroyed with either of them.
+ * Made by mvDefaultRackPinionJointDef().
+ */
+typedef struct mvRackPinionJointDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * What all joints have.
+     */
+    mvJointDef base;
+    /**
+     * The pinion: a revolute joint.
+     */
+    mvJointId jointIdA;
+    /**
+     * The rack: a prismatic joint.
+     */
+    mvJointId jointIdB;
+    /**
+     * How far the angle goes back when the rack goes on by 1 m [rad/m], not 0: 1 divided by the radius of the
+     * pinion, or minus that; default 1.
+     */
+    mvFloat ratio;
+} mvRackPinionJointDef;
+
+/**
+ * A revolute joint: a hinge about z of both frames. The angle is that of frame B against frame A and counts whole
+ * turns.
+ * Made by mvDefaultRevoluteJointDef().
+ */
+typedef struct mvRevoluteJointDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * What all joints have.
+     */
+    mvJointDef base;
+    /**
+     * Whether a spring acts; default false.
+     */
+    bool enableSpring;
+    /**
+     * The frequency of the spring [Hz], >= 0; default 0: no force.
+     */
+    mvFloat hertz;
+    /**
+     * The damping ratio of the spring, >= 0; 1 is critical; default 0.
+     */
+    mvFloat dampingRatio;
+    /**
+     * The greatest torque of the spring [N m], >= 0; default infinity.
+     */
+    mvFloat maxSpringTorque;
+    /**
+     * The angle at which the spring rests [rad]; default 0.
+     */
+    mvFloat targetAngle;
+    /**
+     * Whether the angle is limited; default false.
+     */
+    bool enableLimit;
+    /**
+     * The least angle [rad]; default 0.
+     */
+    mvFloat lowerAngle;
+    /**
+     * The greatest angle [rad], not below the least; default 0.
+     */
+    mvFloat upperAngle;
+    /**
+     * Whether a motor acts; default false.
+     */
+    bool enableMotor;
+    /**
+     * The greatest torque of the motor [N m], >= 0; default 0.
+     */
+    mvFloat maxMotorTorque;
+    /**
+     * The speed that the motor wants [rad/s]; default 0.
+     */
+    mvFloat motorSpeed;
+    /**
+     * The torque of dry friction [N m], >= 0; default 0.
+     */
+    mvFloat friction;
+} mvRevoluteJointDef;
+
+/**
+ * A screw joint: frame B turns about x of frame A and slides along it by the pitch with each turn. The angle
+ * counts whole turns.
+ * Made by mvDefaultScrewJointDef().
+ */
+typedef struct mvScrewJointDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * What all joints have.
+     */
+    mvJointDef base;
+    /**
+     * How far B goes along x with each turn [m]; negative for a left-handed screw; default 0: it only turns.
+     */
+    mvFloat pitch;
+    /**
+     * Whether a spring acts; default false.
+     */
+    bool enableSpring;
+    /**
+     * The frequency of the spring [Hz], >= 0; default 0: no force.
+     */
+    mvFloat hertz;
+    /**
+     * The damping ratio of the spring, >= 0; 1 is critical; default 0.
+     */
+    mvFloat dampingRatio;
+    /**
+     * The greatest torque of the spring [N m], >= 0; default infinity.
+     */
+    mvFloat maxSpringTorque;
+    /**
+     * The angle at which the spring rests [rad]; default 0.
+     */
+    mvFloat targetAngle;
+    /**
+     * Whether the angle is limited; default false.
+     */
+    bool enableLimit;
+    /**
+     * The least angle [rad]; default 0.
+     */
+    mvFloat lowerAngle;
+    /**
+     * The greatest angle [rad], not below the least; default 0.
+     */
+    mvFloat upperAngle;
+    /**
+     * Whether a motor acts; default false.
+     */
+    bool enableMotor;
+    /**
+     * The greatest torque of the motor [N m], >= 0; default 0.
+     */
+    mvFloat maxMotorTorque;
+    /**
+     * The speed that the motor wants [rad/s]; default 0.
+     */
+    mvFloat motorSpeed;
+    /**
+     * The torque of dry friction [N m], >= 0; default 0.
+     */
+    mvFloat friction;
+} mvScrewJointDef;
+
+/**
+ * What an axis of a six-axes joint may do: one of mv_axisFree, mv_axisLocked, mv_axisLimited.
+ */
+typedef int32_t mvAxisMode;
+
+/**
+ * One axis of a six-axes joint. Lengths [m] and forces [N] for the first three, angles [rad] and torques [N m] for the
+ * others.
+ */
+typedef struct mvSixDofAxis {
+    /**
+     * What the axis may do; default mv_axisLocked.
+     */
+    mvAxisMode mode;
+    /**
+     * Where the spring rests; default 0.
+     */
+    mvFloat target;
+    /**
+     * The frequency of the spring [Hz], >= 0; default 0: no force.
+     */
+    mvFloat hertz;
+    /**
+     * Its damping ratio, >= 0; 1 is critical; default 0.
+     */
+    mvFloat dampingRatio;
+    /**
+     * Its greatest force or torque, >= 0; default infinity.
+     */
+    mvFloat maxSpringForce;
+    /**
+     * The least value, where the mode is mv_axisLimited; default 0.
+     */
+    mvFloat lower;
+    /**
+     * The greatest value, not below the least; default 0.
+     */
+    mvFloat upper;
+    /**
+     * The speed that the motor wants [m/s or rad/s]; default 0.
+     */
+    mvFloat motorSpeed;
+    /**
+     * The greatest force or torque of the motor, >= 0; default 0.
+     */
+    mvFloat maxMotorForce;
+    /**
+     * The force or torque of dry friction, >= 0; default 0.
+     */
+    mvFloat friction;
+    /**
+     * Whether the spring acts; default false.
+     */
+    bool enableSpring;
+    /**
+     * Whether the motor acts; default false.
+     */
+    bool enableMotor;
+} mvSixDofAxis;
+
+/**
+ * A joint of six axes, each of them free, locked or limited, with spring, motor and friction. Axes 0 to 2 are the
+ * parts along x, y, z of frame A of the way from its origin to that of frame B; axes 3 to 5 the parts of the
+ * rotation vector of frame B against frame A.
+ * Made by mvDefaultSixDofJointDef(): all locked.
+ */
+typedef struct mvSixDofJointDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * What all joints have.
+     */
+    mvJointDef base;
+    /**
+     * The axes: along x, y, z [m], then about x, y, z [rad]. All locked by default.
+     */
+    mvSixDofAxis axes[6];
+} mvSixDofJointDef;
+
+/**
+ * A spherical joint: the origins of the frames stay together. The turn of frame B against frame A may be limited:
+ * its z axis to a cone about that of frame A, and the twist about z.
+ * Made by mvDefaultSphericalJointDef().
+ */
+typedef struct mvSphericalJointDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * What all joints have.
+     */
+    mvJointDef base;
+    /**
+     * Whether a spring turns B towards targetRotation; default false.
+     */
+    bool enableSpring;
+    /**
+     * The frequency of the spring [Hz], >= 0; default 0: no torque.
+     */
+    mvFloat hertz;
+    /**
+     * Its damping ratio, >= 0; 1 is critical; default 0.
+     */
+    mvFloat dampingRatio;
+    /**
+     * Its greatest torque about each axis [N m], >= 0; default infinity.
+     */
+    mvFloat maxSpringTorque;
+    /**
+     * The rotation of frame B in frame A at which the spring rests; default the identity.
+     */
+    mvQuat targetRotation;
+    /**
+     * Whether the cone limits; default false.
+     */
+    bool enableConeLimit;
+    /**
+     * The half-angle of the cone for turns about x of frame A [rad], 0 to pi; default 0.
+     */
+    mvFloat coneAngle;
+    /**
+     * The half-angle for turns about y of frame A [rad], at most pi; negative, the default, means that of x: a
+     * round cone.
+     */
+    mvFloat coneAngleY;
+    /**
+     * Whether the twist is limited; default false.
+     */
+    bool enableTwistLimit;
+    /**
+     * The least twist about z [rad]; default 0.
+     */
+    mvFloat lowerTwistAngle;
+    /**
+     * The greatest twist [rad], not below the least; default 0.
+     */
+    mvFloat upperTwistAngle;
+    /**
+     * Whether a motor acts; default false.
+     */
+    bool enableMotor;
+    /**
+     * Its greatest torque about each axis [N m], >= 0; default 0.
+     */
+    mvFloat maxMotorTorque;
+    /**
+     * The angular velocity of B against A that it wants, in the axes of frame A [rad/s]; default 0.
+     */
+    mvVec3 motorVelocity;
+    /**
+     * The torque of dry friction about each axis [N m], >= 0; default 0.
+     */
+    mvFloat friction;
+} mvSphericalJointDef;
+
+/**
+ * A universal joint: the origins of the frames stay together and x of frame A stays across y of frame B. B turns
+ * about x of frame A by the first angle and about its own y by the second.
+ * Made by mvDefaultUniversalJointDef().
+ */
+typedef struct mvUniversalJointDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * What all joints have.
+     */
+    mvJointDef base;
+    /**
+     * Whether a spring acts on the angle about x of frame A; default false.
+     */
+    bool enableSpring1;
+    /**
+     * Its frequency [Hz], >= 0; default 0: no torque.
+     */
+    mvFloat hertz1;
+    /**
+     * Its damping ratio, >= 0; 1 is critical; default 0.
+     */
+    mvFloat dampingRatio1;
+    /**
+     * The angle at which it rests [rad]; default 0.
+     */
+    mvFloat targetAngle1;
+    /**
+     * Whether the angle about x of frame A is limited; default false.
+     */
+    bool enableLimit1;
+    /**
+     * The least angle [rad]; default 0.
+     */
+    mvFloat lowerAngle1;
+    /**
+     * The greatest angle [rad], not below the least; default 0.
+     */
+    mvFloat upperAngle1;
+    /**
+     * Whether a motor turns B about x of frame A; default false.
+     */
+    bool enableMotor1;
+    /**
+     * Its greatest torque [N m], >= 0; default 0.
+     */
+    mvFloat maxMotorTorque1;
+    /**
+     * The speed that it wants [rad/s]; default 0.
+     */
+    mvFloat motorSpeed1;
+    /**
+     * The torque of dry friction about x of frame A [N m], >= 0; default 0.
+     */
+    mvFloat friction1;
+    /**
+     * Whether a spring acts on the angle about y of frame B; default false.
+     */
+    bool enableSpring2;
+    /**
+     * Its frequency [Hz], >= 0; default 0: no torque.
+     */
+    mvFloat hertz2;
+    /**
+     * Its damping ratio, >= 0; 1 is critical; default 0.
+     */
+    mvFloat dampingRatio2;
+    /**
+     * The angle at which it rests [rad]; default 0.
+     */
+    mvFloat targetAngle2;
+    /**
+     * Whether the angle about y of frame B is limited; default false.
+     */
+    bool enableLimit2;
+    /**
+     * The least angle [rad]; default 0.
+     */
+    mvFloat lowerAngle2;
+    /**
+     * The greatest angle [rad], not below the least; default 0.
+     */
+    mvFloat upperAngle2;
+    /**
+     * Whether a motor turns B about y of frame B; default false.
+     */
+    bool enableMotor2;
+    /**
+     * Its greatest torque [N m], >= 0; default 0.
+     */
+    mvFloat maxMotorTorque2;
+    /**
+     * The speed that it wants [rad/s]; default 0.
+     */
+    mvFloat motorSpeed2;
+    /**
+     * The torque of dry friction about y of frame B [N m], >= 0; default 0.
+     */
+    mvFloat friction2;
+} mvUniversalJointDef;
+
+/**
+ * A weld joint: holds the frames together, rigidly or by springs.
+ * Made by mvDefaultWeldJointDef().
+ */
+typedef struct mvWeldJointDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * What all joints have.
+     */
+    mvJointDef base;
+    /**
+     * The stiffness of the place [Hz], >= 0; 0, the default, is rigid.
+     */
+    mvFloat linearHertz;
+    /**
+     * The stiffness of the rotation [Hz], >= 0; 0, the default, is rigid.
+     */
+    mvFloat angularHertz;
+    /**
+     * The damping ratio of the place, >= 0; default 0.
+     */
+    mvFloat linearDampingRatio;
+    /**
+     * The damping ratio of the rotation, >= 0; default 0.
+     */
+    mvFloat angularDampingRatio;
+} mvWeldJointDef;
+
+/**
+ * A wheel joint: A is the chassis, B the wheel. The wheel travels along x of frame A, spins about z of frame B and
+ * may steer about x of frame A.
+ * Made by mvDefaultWheelJointDef().
+ */
+typedef struct mvWheelJointDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * What all joints have.
+     */
+    mvJointDef base;
+    /**
+     * Whether the suspension has a spring; default true.
+     */
+    bool enableSuspensionSpring;
+    /**
+     * Its frequency [Hz], >= 0; default 1.
+     */
+    mvFloat suspensionHertz;
+    /**
+     * Its damping ratio, >= 0; default 0.7.
+     */
+    mvFloat suspensionDampingRatio;
+    /**
+     * The travel at which it rests [m]; default 0.
+     */
+    mvFloat targetSuspension;
+    /**
+     * Its greatest force [N], >= 0; default infinity.
+     */
+    mvFloat maxSuspensionForce;
+    /**
+     * Whether the travel is limited; default false.
+     */
+    bool enableSuspensionLimit;
+    /**
+     * The least travel [m]; default 0.
+     */
+    mvFloat lowerSuspensionLimit;
+    /**
+     * The greatest travel [m], not below the least; default 0.
+     */
+    mvFloat upperSuspensionLimit;
+    /**
+     * Whether a motor spins the wheel; default false.
+     */
+    bool enableSpinMotor;
+    /**
+     * Its greatest torque [N m], >= 0; default 0.
+     */
+    mvFloat maxSpinTorque;
+    /**
+     * The speed that it wants [rad/s]; default 0.
+     */
+    mvFloat spinSpeed;
+    /**
+     * The torque of dry friction in the bearing [N m], >= 0; default 0.
+     */
+    mvFloat spinFriction;
+    /**
+     * Whether the wheel steers; default false.
+     */
+    bool enableSteering;
+    /**
+     * The frequency of the spring that steers [Hz], >= 0; default 1.
+     */
+    mvFloat steeringHertz;
+    /**
+     * Its damping ratio, >= 0; default 0.7.
+     */
+    mvFloat steeringDampingRatio;
+    /**
+     * The angle that it steers to [rad]; default 0.
+     */
+    mvFloat targetSteeringAngle;
+    /**
+     * Its greatest torque [N m], >= 0; default 0.
+     */
+    mvFloat maxSteeringTorque;
+    /**
+     * Whether the steering angle is limited; default false.
+     */
+    bool enableSteeringLimit;
+    /**
+     * The least steering angle [rad]; default 0.
+     */
+    mvFloat lowerSteeringLimit;
+    /**
+     * The greatest steering angle [rad], not below the least; default 0.
+     */
+    mvFloat upperSteeringLimit;
+} mvWheelJointDef;
 
 /**
  * Cosine and sine of one angle.
@@ -1717,6 +2678,10 @@ typedef struct mvCounters {
      */
     int shapeCount;
     /**
+     * Joints.
+     */
+    int jointCount;
+    /**
      * Pairs of shapes whose boxes meet.
      */
     int contactCount;
@@ -1766,6 +2731,14 @@ typedef struct mvStepReport {
      * The deepest overlap of any contact [m].
      */
     mvFloat worstPenetration;
+    /**
+     * The greatest error of what rigid joints hold: of lengths [m].
+     */
+    mvFloat jointGap;
+    /**
+     * The same of angles [rad].
+     */
+    mvFloat jointAngleGap;
     /**
      * The greatest approach speed left at a loaded contact point [m/s].
      */
@@ -1945,6 +2918,96 @@ typedef struct mvVec2 {
  * An internal fault was caught in this call. Please report it with the message.
  */
 #define mv_errorInternal 13
+
+/**
+ * A spring keeps two axes along each other.
+ */
+#define mv_parallelJoint 0
+
+/**
+ * A rod, rope or spring between two points.
+ */
+#define mv_distanceJoint 1
+
+/**
+ * The bodies do not collide.
+ */
+#define mv_filterJoint 2
+
+/**
+ * Drives one body against another.
+ */
+#define mv_motorJoint 3
+
+/**
+ * A slide along x.
+ */
+#define mv_prismaticJoint 4
+
+/**
+ * A hinge about z.
+ */
+#define mv_revoluteJoint 5
+
+/**
+ * Ball and socket.
+ */
+#define mv_sphericalJoint 6
+
+/**
+ * Two bodies as one.
+ */
+#define mv_weldJoint 7
+
+/**
+ * A wheel on its suspension.
+ */
+#define mv_wheelJoint 8
+
+/**
+ * Cardan's joint.
+ */
+#define mv_universalJoint 9
+
+/**
+ * Six axes, each free, locked or limited.
+ */
+#define mv_sixDofJoint 10
+
+/**
+ * Two joints in step.
+ */
+#define mv_gearJoint 11
+
+/**
+ * A turn in step with a slide.
+ */
+#define mv_rackPinionJoint 12
+
+/**
+ * A rope over two fixed points.
+ */
+#define mv_pulleyJoint 13
+
+/**
+ * A slide in step with a turn about the same axis.
+ */
+#define mv_screwJoint 14
+
+/**
+ * The axis is free; spring, motor and friction may act.
+ */
+#define mv_axisFree 0
+
+/**
+ * The axis is held at 0.
+ */
+#define mv_axisLocked 1
+
+/**
+ * The axis is kept within its limits; spring, motor and friction may act.
+ */
+#define mv_axisLimited 2
 
 /**
  * Soft contacts, sub-steps instead of iterations.
@@ -2355,6 +3418,22 @@ MV_API int mvBody_GetShapeCount(mvBodyId bodyId);
  * @note Errors: mv_errorRange.
  */
 MV_API int mvBody_GetShapes(mvBodyId bodyId, mvShapeId *shapeArray, int capacity);
+
+/**
+ * Get the number of joints of a body. Gears count at all bodies of their two joints.
+ * @param bodyId the body
+ */
+MV_API int mvBody_GetJointCount(mvBodyId bodyId);
+
+/**
+ * Get the joints of a body, in no particular order.
+ * @param bodyId the body
+ * @param jointArray filled with the joints; may be null
+ * @param capacity the room in the array, >= 0
+ * @return how many were written
+ * @note Errors: mv_errorRange.
+ */
+MV_API int mvBody_GetJoints(mvBodyId bodyId, mvJointId *jointArray, int capacity);
 
 /**
  * Get the box around all shapes of a body; around its origin when it has none.
@@ -3125,6 +4204,15 @@ MV_API
 mvContactEvents mvWorld_GetContactEvents(mvWorldId worldId);
 
 /**
+ * Get the joints that carried more than one of their thresholds in the last step.
+ *
+ * @return the events; none for a bad world. Their array stays valid until the next step, whatever else happens
+ * to the joints, or until the world is destroyed.
+ */
+MV_API
+mvJointEvents mvWorld_GetJointEvents(mvWorldId worldId);
+
+/**
  * Get mass, centre of mass and inertia of a solid sphere.
  *
  * @param shape the sphere
@@ -3340,6 +4428,2534 @@ mvBoxHull mvMakeTransformedBoxHull(mvFloat hx,
                                    mvFloat hy,
                                    mvFloat hz,
                                    mvTransform transform);
+
+/**
+ * Destroy a joint, with the gears that run on it.
+ * @param jointId the joint
+ * @param wakeAttached whether its bodies wake
+ * @note Errors: mv_errorRange.
+ */
+MV_API void mvDestroyJoint(mvJointId jointId, bool wakeAttached);
+
+/**
+ * Does this id name a joint that lives? Never fails; false also while another thread changes the world.
+ */
+MV_API bool mvJoint_IsValid(mvJointId id);
+
+/**
+ * Get what a joint is.
+ * @param jointId the joint
+ * @return one of the mv_...Joint constants; mv_parallelJoint, which is 0, for a bad joint
+ */
+MV_API mvJointType mvJoint_GetType(mvJointId jointId);
+
+/**
+ * Get the first body of a joint.
+ * @param jointId the joint
+ * @return body A; of a gear that of its first joint; null for a bad joint
+ */
+MV_API mvBodyId mvJoint_GetBodyA(mvJointId jointId);
+
+/**
+ * Get the second body of a joint.
+ * @param jointId the joint
+ * @return body B; of a gear that of its first joint; null for a bad joint
+ */
+MV_API mvBodyId mvJoint_GetBodyB(mvJointId jointId);
+
+/**
+ * Get the world that a joint lives in.
+ * @param jointId the joint
+ * @return the world; null for a bad joint
+ */
+MV_API mvWorldId mvJoint_GetWorld(mvJointId jointId);
+
+/**
+ * Move frame A of a joint in body A. Where the frames do not fit each other, the joint pulls them together.
+ * @param jointId the joint
+ * @param localFrame where the frame is, from the body's origin
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvJoint_SetLocalFrameA(mvJointId jointId, mvTransform localFrame);
+
+/**
+ * Get frame A of a joint.
+ * @param jointId the joint
+ * @return where the frame is, from the origin of body A; the identity for a bad joint
+ */
+MV_API mvTransform mvJoint_GetLocalFrameA(mvJointId jointId);
+
+/**
+ * Move frame B of a joint in body B. Where the frames do not fit each other, the joint pulls them together.
+ * @param jointId the joint
+ * @param localFrame where the frame is, from the body's origin
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvJoint_SetLocalFrameB(mvJointId jointId, mvTransform localFrame);
+
+/**
+ * Get frame B of a joint.
+ * @param jointId the joint
+ * @return where the frame is, from the origin of body B; the identity for a bad joint
+ */
+MV_API mvTransform mvJoint_GetLocalFrameB(mvJointId jointId);
+
+/**
+ * Let the bodies of a joint collide with each other, or not.
+ * @param jointId the joint
+ * @param shouldCollide whether they collide
+ * @note Errors: mv_errorRange.
+ */
+MV_API void mvJoint_SetCollideConnected(mvJointId jointId, bool shouldCollide);
+
+/**
+ * Do the bodies of a joint collide with each other?
+ * @param jointId the joint
+ */
+MV_API bool mvJoint_GetCollideConnected(mvJointId jointId);
+
+/**
+ * Set the user data of a joint.
+ * @param jointId the joint
+ * @param userData anything; it is never followed
+ */
+MV_API void mvJoint_SetUserData(mvJointId jointId, void *userData);
+
+/**
+ * Get the user data of a joint.
+ * @param jointId the joint
+ * @return what was set; null for a bad joint
+ */
+MV_API void *mvJoint_GetUserData(mvJointId jointId);
+
+/**
+ * Wake the bodies of a joint.
+ * @param jointId the joint
+ */
+MV_API void mvJoint_WakeBodies(mvJointId jointId);
+
+/**
+ * Get the force of a joint on body B; body A has the opposite.
+ * @param jointId the joint
+ * @return the mean over the last step, in world axes [N]; zero for a bad joint
+ */
+MV_API mvVec3 mvJoint_GetConstraintForce(mvJointId jointId);
+
+/**
+ * Get the torque of a joint on body B, about the origin of frame B.
+ * @param jointId the joint
+ * @return the mean over the last step, in world axes [N m]; zero for a bad joint
+ */
+MV_API mvVec3 mvJoint_GetConstraintTorque(mvJointId jointId);
+
+/**
+ * Get by how much a joint fails to hold lengths. Springs do not count, limits only where they are exceeded.
+ * @param jointId the joint
+ * @return the error [m], >= 0; 0 for a bad joint
+ */
+MV_API mvFloat mvJoint_GetLinearSeparation(mvJointId jointId);
+
+/**
+ * Get by how much a joint fails to hold angles. Springs do not count, limits only where they are exceeded.
+ * @param jointId the joint
+ * @return the error [rad], >= 0; 0 for a bad joint
+ */
+MV_API mvFloat mvJoint_GetAngularSeparation(mvJointId jointId);
+
+/**
+ * Set how stiffly a joint holds what it holds.
+ * @param jointId the joint
+ * @param hertz the stiffness [Hz], >= 0; 0 is rigid
+ * @param dampingRatio the damping ratio, >= 0
+ * @note Errors: mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvJoint_SetConstraintTuning(mvJointId jointId, mvFloat hertz, mvFloat dampingRatio);
+
+/**
+ * Get how stiffly a joint holds what it holds.
+ * @param jointId the joint
+ * @param hertz where to write the stiffness [Hz], 0 for rigid; may be null
+ * @param dampingRatio where to write the damping ratio; may be null
+ */
+MV_API void mvJoint_GetConstraintTuning(mvJointId jointId, mvFloat *hertz, mvFloat *dampingRatio);
+
+/**
+ * Set the force above which a joint makes an event.
+ * @param jointId the joint
+ * @param threshold the force [N], >= 0; infinity for none
+ * @note Errors: mv_errorRange, also for NaN.
+ */
+MV_API void mvJoint_SetForceThreshold(mvJointId jointId, mvFloat threshold);
+
+/**
+ * Get the force above which a joint makes an event.
+ * @param jointId the joint
+ * @return the force [N], infinity for none; 0 for a bad joint
+ */
+MV_API mvFloat mvJoint_GetForceThreshold(mvJointId jointId);
+
+/**
+ * Set the torque above which a joint makes an event.
+ * @param jointId the joint
+ * @param threshold the torque [N m], >= 0; infinity for none
+ * @note Errors: mv_errorRange, also for NaN.
+ */
+MV_API void mvJoint_SetTorqueThreshold(mvJointId jointId, mvFloat threshold);
+
+/**
+ * Get the torque above which a joint makes an event.
+ * @param jointId the joint
+ * @return the torque [N m], infinity for none; 0 for a bad joint
+ */
+MV_API mvFloat mvJoint_GetTorqueThreshold(mvJointId jointId);
+
+/**
+ * Let a joint break at the end of a step in which it made an event, or not.
+ * @param jointId the joint
+ * @param flag whether it breaks
+ * @note Errors: mv_errorRange.
+ */
+MV_API void mvJoint_SetBreakable(mvJointId jointId, bool flag);
+
+/**
+ * Does a joint break where it makes an event?
+ * @param jointId the joint
+ */
+MV_API bool mvJoint_IsBreakable(mvJointId jointId);
+
+/**
+ * Get the size of a joint in drawings.
+ * @param jointId the joint
+ * @return the size [m]; 0 for a bad joint
+ */
+MV_API mvFloat mvJoint_GetDrawScale(mvJointId jointId);
+
+/**
+ * Get the definition of a distance joint with the default values.
+ */
+MV_API mvDistanceJointDef mvDefaultDistanceJointDef(void);
+
+/**
+ * Create a distance joint. Its bodies wake.
+ *
+ * @param worldId the world that both bodies live in
+ * @param def the definition, from mvDefaultDistanceJointDef()
+ * @return the joint; null for bad arguments
+ * @note Errors: mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorUnsupported for a world whose solver
+ * has no joints.
+ */
+MV_API
+mvJointId mvCreateDistanceJoint(mvWorldId worldId,
+                                const mvDistanceJointDef *def);
+
+/**
+ * Set the length of the rod, or at which the spring rests.
+ * @param jointId a distance joint
+ * @param length the value [m], >= 0
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvDistanceJoint_SetLength(mvJointId jointId, mvFloat length);
+
+/**
+ * Get the length of the rod, or at which the spring rests.
+ * @param jointId a distance joint
+ * @return the value [m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvDistanceJoint_GetLength(mvJointId jointId);
+
+/**
+ * Turn the spring on or off.
+ * @param jointId a distance joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvDistanceJoint_EnableSpring(mvJointId jointId, bool flag);
+
+/**
+ * Is the spring on?
+ * @param jointId a distance joint; false for another joint or a bad one
+ */
+MV_API bool mvDistanceJoint_IsSpringEnabled(mvJointId jointId);
+
+/**
+ * Set the bounds of the force of the spring, which is positive where it pushes.
+ * @param jointId a distance joint
+ * @param lowerForce the least force [N], negative where it may pull; may be infinite
+ * @param upperForce the greatest force [N]; may be infinite
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API
+void mvDistanceJoint_SetSpringForceRange(mvJointId jointId,
+                                         mvFloat lowerForce,
+                                         mvFloat upperForce);
+
+/**
+ * Get the bounds of the force of the spring.
+ * @param jointId a distance joint
+ * @param lowerForce where to write the least force [N]; may be null
+ * @param upperForce where to write the greatest force [N]; may be null
+ * @note Errors: mv_errorRange for another joint; nothing is written then.
+ */
+MV_API
+void mvDistanceJoint_GetSpringForceRange(mvJointId jointId,
+                                         mvFloat *lowerForce,
+                                         mvFloat *upperForce);
+
+/**
+ * Set the frequency of the spring.
+ * @param jointId a distance joint
+ * @param hertz the value [Hz], >= 0; 0 has no effect
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvDistanceJoint_SetSpringHertz(mvJointId jointId, mvFloat hertz);
+
+/**
+ * Get the frequency of the spring.
+ * @param jointId a distance joint
+ * @return the value [Hz]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvDistanceJoint_GetSpringHertz(mvJointId jointId);
+
+/**
+ * Set the damping ratio of the spring.
+ * @param jointId a distance joint
+ * @param dampingRatio the value >= 0; 1 is critical
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvDistanceJoint_SetSpringDampingRatio(mvJointId jointId, mvFloat dampingRatio);
+
+/**
+ * Get the damping ratio of the spring.
+ * @param jointId a distance joint
+ * @return the value; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvDistanceJoint_GetSpringDampingRatio(mvJointId jointId);
+
+/**
+ * Turn the limit on or off.
+ * @param jointId a distance joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvDistanceJoint_EnableLimit(mvJointId jointId, bool flag);
+
+/**
+ * Is the limit on?
+ * @param jointId a distance joint; false for another joint or a bad one
+ */
+MV_API bool mvDistanceJoint_IsLimitEnabled(mvJointId jointId);
+
+/**
+ * Set the limits of the length.
+ * @param jointId a distance joint
+ * @param minLength the least [m], >= 0
+ * @param maxLength the greatest [m], >= 0, not below the least
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvDistanceJoint_SetLengthRange(mvJointId jointId, mvFloat minLength, mvFloat maxLength);
+
+/**
+ * Get the limits of the length: the least.
+ * @param jointId a distance joint
+ * @return the least [m], >= 0; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvDistanceJoint_GetMinLength(mvJointId jointId);
+
+/**
+ * Get the limits of the length: the greatest.
+ * @param jointId a distance joint
+ * @return the greatest [m], >= 0; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvDistanceJoint_GetMaxLength(mvJointId jointId);
+
+/**
+ * Get the distance of the origins of the frames.
+ * @param jointId a distance joint
+ * @return the length [m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvDistanceJoint_GetCurrentLength(mvJointId jointId);
+
+/**
+ * Turn the motor on or off.
+ * @param jointId a distance joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvDistanceJoint_EnableMotor(mvJointId jointId, bool flag);
+
+/**
+ * Is the motor on?
+ * @param jointId a distance joint; false for another joint or a bad one
+ */
+MV_API bool mvDistanceJoint_IsMotorEnabled(mvJointId jointId);
+
+/**
+ * Set the speed at which the motor wants the length to grow.
+ * @param jointId a distance joint
+ * @param motorSpeed the value [m/s]
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvDistanceJoint_SetMotorSpeed(mvJointId jointId, mvFloat motorSpeed);
+
+/**
+ * Get the speed at which the motor wants the length to grow.
+ * @param jointId a distance joint
+ * @return the value [m/s]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvDistanceJoint_GetMotorSpeed(mvJointId jointId);
+
+/**
+ * Set the greatest force of the motor.
+ * @param jointId a distance joint
+ * @param force the value [N], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvDistanceJoint_SetMaxMotorForce(mvJointId jointId, mvFloat force);
+
+/**
+ * Get the greatest force of the motor.
+ * @param jointId a distance joint
+ * @return the value [N]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvDistanceJoint_GetMaxMotorForce(mvJointId jointId);
+
+/**
+ * Get the force of the motor.
+ * @param jointId a distance joint
+ * @return the mean over the last sub-step [N]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvDistanceJoint_GetMotorForce(mvJointId jointId);
+
+/**
+ * Get the definition of a filter joint with the default values.
+ */
+MV_API mvFilterJointDef mvDefaultFilterJointDef(void);
+
+/**
+ * Create a filter joint. Its bodies wake.
+ *
+ * @param worldId the world that both bodies live in
+ * @param def the definition, from mvDefaultFilterJointDef()
+ * @return the joint; null for bad arguments
+ * @note Errors: mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorUnsupported for a world whose solver
+ * has no joints.
+ */
+MV_API
+mvJointId mvCreateFilterJoint(mvWorldId worldId,
+                              const mvFilterJointDef *def);
+
+/**
+ * Get the definition of a gear joint with the default values.
+ */
+MV_API mvGearJointDef mvDefaultGearJointDef(void);
+
+/**
+ * Create a gear joint. Its bodies wake.
+ *
+ * @param worldId the world that both bodies live in
+ * @param def the definition, from mvDefaultGearJointDef()
+ * @return the joint; null for bad arguments
+ * @note Errors: mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorUnsupported for a world whose solver
+ * has no joints.
+ */
+MV_API
+mvJointId mvCreateGearJoint(mvWorldId worldId,
+                            const mvGearJointDef *def);
+
+/**
+ * Set the ratio: how far the first coordinate goes back when the second goes on by 1.
+ * @param jointId a gear joint
+ * @param ratio the value , not 0
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvGearJoint_SetRatio(mvJointId jointId, mvFloat ratio);
+
+/**
+ * Get the ratio: how far the first coordinate goes back when the second goes on by 1.
+ * @param jointId a gear joint
+ * @return the value; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvGearJoint_GetRatio(mvJointId jointId);
+
+/**
+ * Get the definition of a motor joint with the default values.
+ */
+MV_API mvMotorJointDef mvDefaultMotorJointDef(void);
+
+/**
+ * Create a motor joint. Its bodies wake.
+ *
+ * @param worldId the world that both bodies live in
+ * @param def the definition, from mvDefaultMotorJointDef()
+ * @return the joint; null for bad arguments
+ * @note Errors: mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorUnsupported for a world whose solver
+ * has no joints.
+ */
+MV_API
+mvJointId mvCreateMotorJoint(mvWorldId worldId,
+                             const mvMotorJointDef *def);
+
+/**
+ * Set the velocity that is wanted, in the axes of frame A.
+ * @param jointId a motor joint
+ * @param velocity the value [m/s]
+ * @note Errors: mv_errorNotFinite; mv_errorRange for another joint.
+ */
+MV_API void mvMotorJoint_SetLinearVelocity(mvJointId jointId, mvVec3 velocity);
+
+/**
+ * Get the velocity that is wanted, in the axes of frame A.
+ * @param jointId a motor joint
+ * @return the value [m/s]; zero for another joint or a bad one
+ */
+MV_API mvVec3 mvMotorJoint_GetLinearVelocity(mvJointId jointId);
+
+/**
+ * Set the angular velocity that is wanted, in the axes of frame A.
+ * @param jointId a motor joint
+ * @param velocity the value [rad/s]
+ * @note Errors: mv_errorNotFinite; mv_errorRange for another joint.
+ */
+MV_API void mvMotorJoint_SetAngularVelocity(mvJointId jointId, mvVec3 velocity);
+
+/**
+ * Get the angular velocity that is wanted, in the axes of frame A.
+ * @param jointId a motor joint
+ * @return the value [rad/s]; zero for another joint or a bad one
+ */
+MV_API mvVec3 mvMotorJoint_GetAngularVelocity(mvJointId jointId);
+
+/**
+ * Set the greatest force for the velocity, along each axis.
+ * @param jointId a motor joint
+ * @param maxForce the value [N], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvMotorJoint_SetMaxVelocityForce(mvJointId jointId, mvFloat maxForce);
+
+/**
+ * Get the greatest force for the velocity, along each axis.
+ * @param jointId a motor joint
+ * @return the value [N]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvMotorJoint_GetMaxVelocityForce(mvJointId jointId);
+
+/**
+ * Set the greatest torque for the angular velocity, about each axis.
+ * @param jointId a motor joint
+ * @param maxTorque the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvMotorJoint_SetMaxVelocityTorque(mvJointId jointId, mvFloat maxTorque);
+
+/**
+ * Get the greatest torque for the angular velocity, about each axis.
+ * @param jointId a motor joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvMotorJoint_GetMaxVelocityTorque(mvJointId jointId);
+
+/**
+ * Set the frequency of the spring between the origins.
+ * @param jointId a motor joint
+ * @param hertz the value [Hz], >= 0; 0 has no effect
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvMotorJoint_SetLinearHertz(mvJointId jointId, mvFloat hertz);
+
+/**
+ * Get the frequency of the spring between the origins.
+ * @param jointId a motor joint
+ * @return the value [Hz]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvMotorJoint_GetLinearHertz(mvJointId jointId);
+
+/**
+ * Set the damping ratio of the spring between the origins.
+ * @param jointId a motor joint
+ * @param damping the value >= 0; 1 is critical
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvMotorJoint_SetLinearDampingRatio(mvJointId jointId, mvFloat damping);
+
+/**
+ * Get the damping ratio of the spring between the origins.
+ * @param jointId a motor joint
+ * @return the value; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvMotorJoint_GetLinearDampingRatio(mvJointId jointId);
+
+/**
+ * Set the frequency of the spring between the axes.
+ * @param jointId a motor joint
+ * @param hertz the value [Hz], >= 0; 0 has no effect
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvMotorJoint_SetAngularHertz(mvJointId jointId, mvFloat hertz);
+
+/**
+ * Get the frequency of the spring between the axes.
+ * @param jointId a motor joint
+ * @return the value [Hz]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvMotorJoint_GetAngularHertz(mvJointId jointId);
+
+/**
+ * Set the damping ratio of the spring between the axes.
+ * @param jointId a motor joint
+ * @param damping the value >= 0; 1 is critical
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvMotorJoint_SetAngularDampingRatio(mvJointId jointId, mvFloat damping);
+
+/**
+ * Get the damping ratio of the spring between the axes.
+ * @param jointId a motor joint
+ * @return the value; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvMotorJoint_GetAngularDampingRatio(mvJointId jointId);
+
+/**
+ * Set the greatest force of the spring between the origins, along each axis.
+ * @param jointId a motor joint
+ * @param maxForce the value [N], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvMotorJoint_SetMaxSpringForce(mvJointId jointId, mvFloat maxForce);
+
+/**
+ * Get the greatest force of the spring between the origins, along each axis.
+ * @param jointId a motor joint
+ * @return the value [N]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvMotorJoint_GetMaxSpringForce(mvJointId jointId);
+
+/**
+ * Set the greatest torque of the spring between the axes, about each axis.
+ * @param jointId a motor joint
+ * @param maxTorque the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvMotorJoint_SetMaxSpringTorque(mvJointId jointId, mvFloat maxTorque);
+
+/**
+ * Get the greatest torque of the spring between the axes, about each axis.
+ * @param jointId a motor joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvMotorJoint_GetMaxSpringTorque(mvJointId jointId);
+
+/**
+ * Get the definition of a parallel joint with the default values.
+ */
+MV_API mvParallelJointDef mvDefaultParallelJointDef(void);
+
+/**
+ * Create a parallel joint. Its bodies wake.
+ *
+ * @param worldId the world that both bodies live in
+ * @param def the definition, from mvDefaultParallelJointDef()
+ * @return the joint; null for bad arguments
+ * @note Errors: mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorUnsupported for a world whose solver
+ * has no joints.
+ */
+MV_API
+mvJointId mvCreateParallelJoint(mvWorldId worldId,
+                                const mvParallelJointDef *def);
+
+/**
+ * Set the frequency of the spring.
+ * @param jointId a parallel joint
+ * @param hertz the value [Hz], >= 0; 0 has no effect
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvParallelJoint_SetSpringHertz(mvJointId jointId, mvFloat hertz);
+
+/**
+ * Get the frequency of the spring.
+ * @param jointId a parallel joint
+ * @return the value [Hz]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvParallelJoint_GetSpringHertz(mvJointId jointId);
+
+/**
+ * Set the damping ratio of the spring.
+ * @param jointId a parallel joint
+ * @param dampingRatio the value >= 0; 1 is critical
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvParallelJoint_SetSpringDampingRatio(mvJointId jointId, mvFloat dampingRatio);
+
+/**
+ * Get the damping ratio of the spring.
+ * @param jointId a parallel joint
+ * @return the value; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvParallelJoint_GetSpringDampingRatio(mvJointId jointId);
+
+/**
+ * Set the greatest torque of the spring about each axis.
+ * @param jointId a parallel joint
+ * @param maxTorque the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvParallelJoint_SetMaxTorque(mvJointId jointId, mvFloat maxTorque);
+
+/**
+ * Get the greatest torque of the spring about each axis.
+ * @param jointId a parallel joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvParallelJoint_GetMaxTorque(mvJointId jointId);
+
+/**
+ * Get the definition of a prismatic joint with the default values.
+ */
+MV_API mvPrismaticJointDef mvDefaultPrismaticJointDef(void);
+
+/**
+ * Create a prismatic joint. Its bodies wake.
+ *
+ * @param worldId the world that both bodies live in
+ * @param def the definition, from mvDefaultPrismaticJointDef()
+ * @return the joint; null for bad arguments
+ * @note Errors: mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorUnsupported for a world whose solver
+ * has no joints.
+ */
+MV_API
+mvJointId mvCreatePrismaticJoint(mvWorldId worldId,
+                                 const mvPrismaticJointDef *def);
+
+/**
+ * Turn the spring on or off.
+ * @param jointId a prismatic joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvPrismaticJoint_EnableSpring(mvJointId jointId, bool flag);
+
+/**
+ * Is the spring on?
+ * @param jointId a prismatic joint; false for another joint or a bad one
+ */
+MV_API bool mvPrismaticJoint_IsSpringEnabled(mvJointId jointId);
+
+/**
+ * Set the frequency of the spring.
+ * @param jointId a prismatic joint
+ * @param hertz the value [Hz], >= 0; 0 has no effect
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvPrismaticJoint_SetSpringHertz(mvJointId jointId, mvFloat hertz);
+
+/**
+ * Get the frequency of the spring.
+ * @param jointId a prismatic joint
+ * @return the value [Hz]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvPrismaticJoint_GetSpringHertz(mvJointId jointId);
+
+/**
+ * Set the damping ratio of the spring.
+ * @param jointId a prismatic joint
+ * @param dampingRatio the value >= 0; 1 is critical
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvPrismaticJoint_SetSpringDampingRatio(mvJointId jointId, mvFloat dampingRatio);
+
+/**
+ * Get the damping ratio of the spring.
+ * @param jointId a prismatic joint
+ * @return the value; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvPrismaticJoint_GetSpringDampingRatio(mvJointId jointId);
+
+/**
+ * Set the greatest force of the spring.
+ * @param jointId a prismatic joint
+ * @param maxForce the value [N], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvPrismaticJoint_SetMaxSpringForce(mvJointId jointId, mvFloat maxForce);
+
+/**
+ * Get the greatest force of the spring.
+ * @param jointId a prismatic joint
+ * @return the value [N]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvPrismaticJoint_GetMaxSpringForce(mvJointId jointId);
+
+/**
+ * Set the translation at which the spring rests.
+ * @param jointId a prismatic joint
+ * @param targetTranslation the value [m]
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvPrismaticJoint_SetTargetTranslation(mvJointId jointId, mvFloat targetTranslation);
+
+/**
+ * Get the translation at which the spring rests.
+ * @param jointId a prismatic joint
+ * @return the value [m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvPrismaticJoint_GetTargetTranslation(mvJointId jointId);
+
+/**
+ * Turn the limit on or off.
+ * @param jointId a prismatic joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvPrismaticJoint_EnableLimit(mvJointId jointId, bool flag);
+
+/**
+ * Is the limit on?
+ * @param jointId a prismatic joint; false for another joint or a bad one
+ */
+MV_API bool mvPrismaticJoint_IsLimitEnabled(mvJointId jointId);
+
+/**
+ * Set the limits of the translation.
+ * @param jointId a prismatic joint
+ * @param lower the least [m]
+ * @param upper the greatest [m], not below the least
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvPrismaticJoint_SetLimits(mvJointId jointId, mvFloat lower, mvFloat upper);
+
+/**
+ * Get the limits of the translation: the least.
+ * @param jointId a prismatic joint
+ * @return the least [m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvPrismaticJoint_GetLowerLimit(mvJointId jointId);
+
+/**
+ * Get the limits of the translation: the greatest.
+ * @param jointId a prismatic joint
+ * @return the greatest [m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvPrismaticJoint_GetUpperLimit(mvJointId jointId);
+
+/**
+ * Turn the motor on or off.
+ * @param jointId a prismatic joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvPrismaticJoint_EnableMotor(mvJointId jointId, bool flag);
+
+/**
+ * Is the motor on?
+ * @param jointId a prismatic joint; false for another joint or a bad one
+ */
+MV_API bool mvPrismaticJoint_IsMotorEnabled(mvJointId jointId);
+
+/**
+ * Set the speed that the motor wants.
+ * @param jointId a prismatic joint
+ * @param motorSpeed the value [m/s]
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvPrismaticJoint_SetMotorSpeed(mvJointId jointId, mvFloat motorSpeed);
+
+/**
+ * Get the speed that the motor wants.
+ * @param jointId a prismatic joint
+ * @return the value [m/s]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvPrismaticJoint_GetMotorSpeed(mvJointId jointId);
+
+/**
+ * Set the greatest force of the motor.
+ * @param jointId a prismatic joint
+ * @param maxForce the value [N], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvPrismaticJoint_SetMaxMotorForce(mvJointId jointId, mvFloat maxForce);
+
+/**
+ * Get the greatest force of the motor.
+ * @param jointId a prismatic joint
+ * @return the value [N]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvPrismaticJoint_GetMaxMotorForce(mvJointId jointId);
+
+/**
+ * Get the force of the motor.
+ * @param jointId a prismatic joint
+ * @return the mean over the last sub-step [N]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvPrismaticJoint_GetMotorForce(mvJointId jointId);
+
+/**
+ * Set the force of dry friction.
+ * @param jointId a prismatic joint
+ * @param friction the value [N], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvPrismaticJoint_SetFriction(mvJointId jointId, mvFloat friction);
+
+/**
+ * Get the force of dry friction.
+ * @param jointId a prismatic joint
+ * @return the value [N]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvPrismaticJoint_GetFriction(mvJointId jointId);
+
+/**
+ * Get how far frame B is along x of frame A.
+ * @param jointId a prismatic joint
+ * @return the translation [m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvPrismaticJoint_GetTranslation(mvJointId jointId);
+
+/**
+ * Get how fast the translation changes.
+ * @param jointId a prismatic joint
+ * @return the speed [m/s]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvPrismaticJoint_GetSpeed(mvJointId jointId);
+
+/**
+ * Get the definition of a pulley joint with the default values.
+ */
+MV_API mvPulleyJointDef mvDefaultPulleyJointDef(void);
+
+/**
+ * Create a pulley joint. Its bodies wake.
+ *
+ * @param worldId the world that both bodies live in
+ * @param def the definition, from mvDefaultPulleyJointDef()
+ * @return the joint; null for bad arguments
+ * @note Errors: mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorUnsupported for a world whose solver
+ * has no joints.
+ */
+MV_API
+mvJointId mvCreatePulleyJoint(mvWorldId worldId,
+                              const mvPulleyJointDef *def);
+
+/**
+ * Move the fixed point above body A.
+ * @param jointId a pulley joint
+ * @param anchor the point, in the world [m]
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvPulleyJoint_SetGroundAnchorA(mvJointId jointId, mvPos anchor);
+
+/**
+ * Get the fixed point above body A.
+ * @param jointId a pulley joint
+ * @return the point, in the world [m]; the origin for another joint or a bad one
+ */
+MV_API mvPos mvPulleyJoint_GetGroundAnchorA(mvJointId jointId);
+
+/**
+ * Get the length of the part at body A.
+ * @param jointId a pulley joint
+ * @return the length [m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvPulleyJoint_GetCurrentLengthA(mvJointId jointId);
+
+/**
+ * Move the fixed point above body B.
+ * @param jointId a pulley joint
+ * @param anchor the point, in the world [m]
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvPulleyJoint_SetGroundAnchorB(mvJointId jointId, mvPos anchor);
+
+/**
+ * Get the fixed point above body B.
+ * @param jointId a pulley joint
+ * @return the point, in the world [m]; the origin for another joint or a bad one
+ */
+MV_API mvPos mvPulleyJoint_GetGroundAnchorB(mvJointId jointId);
+
+/**
+ * Get the length of the part at body B.
+ * @param jointId a pulley joint
+ * @return the length [m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvPulleyJoint_GetCurrentLengthB(mvJointId jointId);
+
+/**
+ * Set the ratio: how many lengths of rope hold B for each that holds A.
+ * @param jointId a pulley joint
+ * @param ratio the value > 0
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvPulleyJoint_SetRatio(mvJointId jointId, mvFloat ratio);
+
+/**
+ * Get the ratio: how many lengths of rope hold B for each that holds A.
+ * @param jointId a pulley joint
+ * @return the value; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvPulleyJoint_GetRatio(mvJointId jointId);
+
+/**
+ * Set the limits of the length of the rope.
+ * @param jointId a pulley joint
+ * @param minLength the least length [m], >= 0; 0: it may be slack
+ * @param maxLength the greatest length [m], > 0, not below the least
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvPulleyJoint_SetLengthRange(mvJointId jointId, mvFloat minLength, mvFloat maxLength);
+
+/**
+ * Get the least length of the rope.
+ * @param jointId a pulley joint
+ * @return the length [m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvPulleyJoint_GetMinLength(mvJointId jointId);
+
+/**
+ * Get the greatest length of the rope.
+ * @param jointId a pulley joint
+ * @return the length [m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvPulleyJoint_GetMaxLength(mvJointId jointId);
+
+/**
+ * Get the length of the rope: the part at A plus ratio times the part at B.
+ * @param jointId a pulley joint
+ * @return the length [m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvPulleyJoint_GetCurrentLength(mvJointId jointId);
+
+/**
+ * Get the definition of a rack-and-pinion joint with the default values.
+ */
+MV_API mvRackPinionJointDef mvDefaultRackPinionJointDef(void);
+
+/**
+ * Create a rack-and-pinion joint. Its bodies wake.
+ *
+ * @param worldId the world that both bodies live in
+ * @param def the definition, from mvDefaultRackPinionJointDef()
+ * @return the joint; null for bad arguments
+ * @note Errors: mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorUnsupported for a world whose solver
+ * has no joints.
+ */
+MV_API
+mvJointId mvCreateRackPinionJoint(mvWorldId worldId,
+                                  const mvRackPinionJointDef *def);
+
+/**
+ * Set the ratio: how far the angle goes back when the rack goes on by 1 m.
+ * @param jointId a rack-and-pinion joint
+ * @param ratio the value [rad/m], not 0
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvRackPinionJoint_SetRatio(mvJointId jointId, mvFloat ratio);
+
+/**
+ * Get the ratio: how far the angle goes back when the rack goes on by 1 m.
+ * @param jointId a rack-and-pinion joint
+ * @return the value [rad/m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvRackPinionJoint_GetRatio(mvJointId jointId);
+
+/**
+ * Get the definition of a revolute joint with the default values.
+ */
+MV_API mvRevoluteJointDef mvDefaultRevoluteJointDef(void);
+
+/**
+ * Create a revolute joint. Its bodies wake.
+ *
+ * @param worldId the world that both bodies live in
+ * @param def the definition, from mvDefaultRevoluteJointDef()
+ * @return the joint; null for bad arguments
+ * @note Errors: mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorUnsupported for a world whose solver
+ * has no joints.
+ */
+MV_API
+mvJointId mvCreateRevoluteJoint(mvWorldId worldId,
+                                const mvRevoluteJointDef *def);
+
+/**
+ * Turn the spring on or off.
+ * @param jointId a revolute joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvRevoluteJoint_EnableSpring(mvJointId jointId, bool flag);
+
+/**
+ * Is the spring on?
+ * @param jointId a revolute joint; false for another joint or a bad one
+ */
+MV_API bool mvRevoluteJoint_IsSpringEnabled(mvJointId jointId);
+
+/**
+ * Set the frequency of the spring.
+ * @param jointId a revolute joint
+ * @param hertz the value [Hz], >= 0; 0 has no effect
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvRevoluteJoint_SetSpringHertz(mvJointId jointId, mvFloat hertz);
+
+/**
+ * Get the frequency of the spring.
+ * @param jointId a revolute joint
+ * @return the value [Hz]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvRevoluteJoint_GetSpringHertz(mvJointId jointId);
+
+/**
+ * Set the damping ratio of the spring.
+ * @param jointId a revolute joint
+ * @param dampingRatio the value >= 0; 1 is critical
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvRevoluteJoint_SetSpringDampingRatio(mvJointId jointId, mvFloat dampingRatio);
+
+/**
+ * Get the damping ratio of the spring.
+ * @param jointId a revolute joint
+ * @return the value; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvRevoluteJoint_GetSpringDampingRatio(mvJointId jointId);
+
+/**
+ * Set the greatest torque of the spring.
+ * @param jointId a revolute joint
+ * @param maxTorque the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvRevoluteJoint_SetMaxSpringTorque(mvJointId jointId, mvFloat maxTorque);
+
+/**
+ * Get the greatest torque of the spring.
+ * @param jointId a revolute joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvRevoluteJoint_GetMaxSpringTorque(mvJointId jointId);
+
+/**
+ * Set the angle at which the spring rests.
+ * @param jointId a revolute joint
+ * @param angle the value [rad]
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvRevoluteJoint_SetTargetAngle(mvJointId jointId, mvFloat angle);
+
+/**
+ * Get the angle at which the spring rests.
+ * @param jointId a revolute joint
+ * @return the value [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvRevoluteJoint_GetTargetAngle(mvJointId jointId);
+
+/**
+ * Turn the limit on or off.
+ * @param jointId a revolute joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvRevoluteJoint_EnableLimit(mvJointId jointId, bool flag);
+
+/**
+ * Is the limit on?
+ * @param jointId a revolute joint; false for another joint or a bad one
+ */
+MV_API bool mvRevoluteJoint_IsLimitEnabled(mvJointId jointId);
+
+/**
+ * Set the limits of the angle.
+ * @param jointId a revolute joint
+ * @param lower the least [rad]
+ * @param upper the greatest [rad], not below the least
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvRevoluteJoint_SetLimits(mvJointId jointId, mvFloat lower, mvFloat upper);
+
+/**
+ * Get the limits of the angle: the least.
+ * @param jointId a revolute joint
+ * @return the least [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvRevoluteJoint_GetLowerLimit(mvJointId jointId);
+
+/**
+ * Get the limits of the angle: the greatest.
+ * @param jointId a revolute joint
+ * @return the greatest [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvRevoluteJoint_GetUpperLimit(mvJointId jointId);
+
+/**
+ * Turn the motor on or off.
+ * @param jointId a revolute joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvRevoluteJoint_EnableMotor(mvJointId jointId, bool flag);
+
+/**
+ * Is the motor on?
+ * @param jointId a revolute joint; false for another joint or a bad one
+ */
+MV_API bool mvRevoluteJoint_IsMotorEnabled(mvJointId jointId);
+
+/**
+ * Set the speed that the motor wants.
+ * @param jointId a revolute joint
+ * @param motorSpeed the value [rad/s]
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvRevoluteJoint_SetMotorSpeed(mvJointId jointId, mvFloat motorSpeed);
+
+/**
+ * Get the speed that the motor wants.
+ * @param jointId a revolute joint
+ * @return the value [rad/s]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvRevoluteJoint_GetMotorSpeed(mvJointId jointId);
+
+/**
+ * Set the greatest torque of the motor.
+ * @param jointId a revolute joint
+ * @param maxTorque the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvRevoluteJoint_SetMaxMotorTorque(mvJointId jointId, mvFloat maxTorque);
+
+/**
+ * Get the greatest torque of the motor.
+ * @param jointId a revolute joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvRevoluteJoint_GetMaxMotorTorque(mvJointId jointId);
+
+/**
+ * Get the torque of the motor.
+ * @param jointId a revolute joint
+ * @return the mean over the last sub-step [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvRevoluteJoint_GetMotorTorque(mvJointId jointId);
+
+/**
+ * Set the torque of dry friction.
+ * @param jointId a revolute joint
+ * @param friction the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvRevoluteJoint_SetFriction(mvJointId jointId, mvFloat friction);
+
+/**
+ * Get the torque of dry friction.
+ * @param jointId a revolute joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvRevoluteJoint_GetFriction(mvJointId jointId);
+
+/**
+ * Get the angle of frame B against frame A, counting whole turns.
+ * @param jointId a revolute joint
+ * @return the angle [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvRevoluteJoint_GetAngle(mvJointId jointId);
+
+/**
+ * Get how fast the angle changes.
+ * @param jointId a revolute joint
+ * @return the speed [rad/s]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvRevoluteJoint_GetSpeed(mvJointId jointId);
+
+/**
+ * Get the definition of a screw joint with the default values.
+ */
+MV_API mvScrewJointDef mvDefaultScrewJointDef(void);
+
+/**
+ * Create a screw joint. Its bodies wake.
+ *
+ * @param worldId the world that both bodies live in
+ * @param def the definition, from mvDefaultScrewJointDef()
+ * @return the joint; null for bad arguments
+ * @note Errors: mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorUnsupported for a world whose solver
+ * has no joints.
+ */
+MV_API
+mvJointId mvCreateScrewJoint(mvWorldId worldId,
+                             const mvScrewJointDef *def);
+
+/**
+ * Set how far B goes along x with each turn.
+ * @param jointId a screw joint
+ * @param pitch the value [m]
+ * @note Errors: mv_errorNotFinite; mv_errorRange for another joint.
+ */
+MV_API void mvScrewJoint_SetPitch(mvJointId jointId, mvFloat pitch);
+
+/**
+ * Get how far B goes along x with each turn.
+ * @param jointId a screw joint
+ * @return the value [m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvScrewJoint_GetPitch(mvJointId jointId);
+
+/**
+ * Turn the spring on or off.
+ * @param jointId a screw joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvScrewJoint_EnableSpring(mvJointId jointId, bool flag);
+
+/**
+ * Is the spring on?
+ * @param jointId a screw joint; false for another joint or a bad one
+ */
+MV_API bool mvScrewJoint_IsSpringEnabled(mvJointId jointId);
+
+/**
+ * Set the frequency of the spring.
+ * @param jointId a screw joint
+ * @param hertz the value [Hz], >= 0; 0 has no effect
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvScrewJoint_SetSpringHertz(mvJointId jointId, mvFloat hertz);
+
+/**
+ * Get the frequency of the spring.
+ * @param jointId a screw joint
+ * @return the value [Hz]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvScrewJoint_GetSpringHertz(mvJointId jointId);
+
+/**
+ * Set the damping ratio of the spring.
+ * @param jointId a screw joint
+ * @param dampingRatio the value >= 0; 1 is critical
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvScrewJoint_SetSpringDampingRatio(mvJointId jointId, mvFloat dampingRatio);
+
+/**
+ * Get the damping ratio of the spring.
+ * @param jointId a screw joint
+ * @return the value; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvScrewJoint_GetSpringDampingRatio(mvJointId jointId);
+
+/**
+ * Set the greatest torque of the spring.
+ * @param jointId a screw joint
+ * @param maxTorque the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvScrewJoint_SetMaxSpringTorque(mvJointId jointId, mvFloat maxTorque);
+
+/**
+ * Get the greatest torque of the spring.
+ * @param jointId a screw joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvScrewJoint_GetMaxSpringTorque(mvJointId jointId);
+
+/**
+ * Set the angle at which the spring rests.
+ * @param jointId a screw joint
+ * @param angle the value [rad]
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvScrewJoint_SetTargetAngle(mvJointId jointId, mvFloat angle);
+
+/**
+ * Get the angle at which the spring rests.
+ * @param jointId a screw joint
+ * @return the value [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvScrewJoint_GetTargetAngle(mvJointId jointId);
+
+/**
+ * Turn the limit on or off.
+ * @param jointId a screw joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvScrewJoint_EnableLimit(mvJointId jointId, bool flag);
+
+/**
+ * Is the limit on?
+ * @param jointId a screw joint; false for another joint or a bad one
+ */
+MV_API bool mvScrewJoint_IsLimitEnabled(mvJointId jointId);
+
+/**
+ * Set the limits of the angle.
+ * @param jointId a screw joint
+ * @param lower the least [rad]
+ * @param upper the greatest [rad], not below the least
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvScrewJoint_SetLimits(mvJointId jointId, mvFloat lower, mvFloat upper);
+
+/**
+ * Get the limits of the angle: the least.
+ * @param jointId a screw joint
+ * @return the least [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvScrewJoint_GetLowerLimit(mvJointId jointId);
+
+/**
+ * Get the limits of the angle: the greatest.
+ * @param jointId a screw joint
+ * @return the greatest [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvScrewJoint_GetUpperLimit(mvJointId jointId);
+
+/**
+ * Turn the motor on or off.
+ * @param jointId a screw joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvScrewJoint_EnableMotor(mvJointId jointId, bool flag);
+
+/**
+ * Is the motor on?
+ * @param jointId a screw joint; false for another joint or a bad one
+ */
+MV_API bool mvScrewJoint_IsMotorEnabled(mvJointId jointId);
+
+/**
+ * Set the speed that the motor wants.
+ * @param jointId a screw joint
+ * @param motorSpeed the value [rad/s]
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvScrewJoint_SetMotorSpeed(mvJointId jointId, mvFloat motorSpeed);
+
+/**
+ * Get the speed that the motor wants.
+ * @param jointId a screw joint
+ * @return the value [rad/s]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvScrewJoint_GetMotorSpeed(mvJointId jointId);
+
+/**
+ * Set the greatest torque of the motor.
+ * @param jointId a screw joint
+ * @param maxTorque the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvScrewJoint_SetMaxMotorTorque(mvJointId jointId, mvFloat maxTorque);
+
+/**
+ * Get the greatest torque of the motor.
+ * @param jointId a screw joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvScrewJoint_GetMaxMotorTorque(mvJointId jointId);
+
+/**
+ * Get the torque of the motor.
+ * @param jointId a screw joint
+ * @return the mean over the last sub-step [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvScrewJoint_GetMotorTorque(mvJointId jointId);
+
+/**
+ * Set the torque of dry friction.
+ * @param jointId a screw joint
+ * @param friction the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvScrewJoint_SetFriction(mvJointId jointId, mvFloat friction);
+
+/**
+ * Get the torque of dry friction.
+ * @param jointId a screw joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvScrewJoint_GetFriction(mvJointId jointId);
+
+/**
+ * Get the angle of frame B against frame A about x, counting whole turns.
+ * @param jointId a screw joint
+ * @return the angle [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvScrewJoint_GetAngle(mvJointId jointId);
+
+/**
+ * Get how fast the angle changes.
+ * @param jointId a screw joint
+ * @return the speed [rad/s]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvScrewJoint_GetSpeed(mvJointId jointId);
+
+/**
+ * Get how far frame B is along x of frame A.
+ * @param jointId a screw joint
+ * @return the translation [m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvScrewJoint_GetTranslation(mvJointId jointId);
+
+/**
+ * Get the definition of a six-axes joint with the default values.
+ */
+MV_API mvSixDofJointDef mvDefaultSixDofJointDef(void);
+
+/**
+ * Create a six-axes joint. Its bodies wake.
+ *
+ * @param worldId the world that both bodies live in
+ * @param def the definition, from mvDefaultSixDofJointDef()
+ * @return the joint; null for bad arguments
+ * @note Errors: mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorUnsupported for a world whose solver
+ * has no joints.
+ */
+MV_API
+mvJointId mvCreateSixDofJoint(mvWorldId worldId,
+                              const mvSixDofJointDef *def);
+
+/**
+ * Set everything about one axis.
+ * @param jointId a six-axes joint
+ * @param axis which, 0 to 5
+ * @param value the axis as it shall be
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvSixDofJoint_SetAxis(mvJointId jointId, int axis, mvSixDofAxis value);
+
+/**
+ * Get everything about one axis.
+ * @param jointId a six-axes joint
+ * @param axis which, 0 to 5
+ * @return the axis; zeros for bad arguments
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API mvSixDofAxis mvSixDofJoint_GetAxis(mvJointId jointId, int axis);
+
+/**
+ * Get where frame B is along or about one axis.
+ * @param jointId a six-axes joint
+ * @param axis which, 0 to 5
+ * @return the part of the way along that axis [m], or of the rotation vector [rad]; 0 for bad arguments
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API mvFloat mvSixDofJoint_GetCoordinate(mvJointId jointId, int axis);
+
+/**
+ * Get the definition of a spherical joint with the default values.
+ */
+MV_API mvSphericalJointDef mvDefaultSphericalJointDef(void);
+
+/**
+ * Create a spherical joint. Its bodies wake.
+ *
+ * @param worldId the world that both bodies live in
+ * @param def the definition, from mvDefaultSphericalJointDef()
+ * @return the joint; null for bad arguments
+ * @note Errors: mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorUnsupported for a world whose solver
+ * has no joints.
+ */
+MV_API
+mvJointId mvCreateSphericalJoint(mvWorldId worldId,
+                                 const mvSphericalJointDef *def);
+
+/**
+ * Turn the cone limit on or off.
+ * @param jointId a spherical joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvSphericalJoint_EnableConeLimit(mvJointId jointId, bool flag);
+
+/**
+ * Is the cone limit on?
+ * @param jointId a spherical joint; false for another joint or a bad one
+ */
+MV_API bool mvSphericalJoint_IsConeLimitEnabled(mvJointId jointId);
+
+/**
+ * Get the half-angle of the cone for turns about x of frame A.
+ * @param jointId a spherical joint
+ * @return the angle [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvSphericalJoint_GetConeLimit(mvJointId jointId);
+
+/**
+ * Make the cone round, with this half-angle.
+ * @param jointId a spherical joint
+ * @param angle the half-angle [rad], 0 to pi
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvSphericalJoint_SetConeLimit(mvJointId jointId, mvFloat angle);
+
+/**
+ * Make the cone elliptical.
+ * @param jointId a spherical joint
+ * @param angleX the half-angle for turns about x of frame A [rad], 0 to pi
+ * @param angleY the half-angle for turns about y of frame A [rad], 0 to pi
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvSphericalJoint_SetConeLimits(mvJointId jointId, mvFloat angleX, mvFloat angleY);
+
+/**
+ * Get the half-angle of the cone for turns about y of frame A.
+ * @param jointId a spherical joint
+ * @return the angle [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvSphericalJoint_GetConeLimitY(mvJointId jointId);
+
+/**
+ * Get the angle between the z axes of the frames.
+ * @param jointId a spherical joint
+ * @return the angle [rad], 0 to pi; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvSphericalJoint_GetConeAngle(mvJointId jointId);
+
+/**
+ * Turn the limit of the twist on or off.
+ * @param jointId a spherical joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvSphericalJoint_EnableTwistLimit(mvJointId jointId, bool flag);
+
+/**
+ * Is the limit of the twist on?
+ * @param jointId a spherical joint; false for another joint or a bad one
+ */
+MV_API bool mvSphericalJoint_IsTwistLimitEnabled(mvJointId jointId);
+
+/**
+ * Set the limits of the twist.
+ * @param jointId a spherical joint
+ * @param lower the least [rad]
+ * @param upper the greatest [rad], not below the least
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvSphericalJoint_SetTwistLimits(mvJointId jointId, mvFloat lower, mvFloat upper);
+
+/**
+ * Get the limits of the twist: the least.
+ * @param jointId a spherical joint
+ * @return the least [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvSphericalJoint_GetLowerTwistLimit(mvJointId jointId);
+
+/**
+ * Get the limits of the twist: the greatest.
+ * @param jointId a spherical joint
+ * @return the greatest [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvSphericalJoint_GetUpperTwistLimit(mvJointId jointId);
+
+/**
+ * Get the twist of frame B against frame A about z.
+ * @param jointId a spherical joint
+ * @return the angle [rad], -pi to pi; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvSphericalJoint_GetTwistAngle(mvJointId jointId);
+
+/**
+ * Turn the spring on or off.
+ * @param jointId a spherical joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvSphericalJoint_EnableSpring(mvJointId jointId, bool flag);
+
+/**
+ * Is the spring on?
+ * @param jointId a spherical joint; false for another joint or a bad one
+ */
+MV_API bool mvSphericalJoint_IsSpringEnabled(mvJointId jointId);
+
+/**
+ * Set the frequency of the spring.
+ * @param jointId a spherical joint
+ * @param hertz the value [Hz], >= 0; 0 has no effect
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvSphericalJoint_SetSpringHertz(mvJointId jointId, mvFloat hertz);
+
+/**
+ * Get the frequency of the spring.
+ * @param jointId a spherical joint
+ * @return the value [Hz]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvSphericalJoint_GetSpringHertz(mvJointId jointId);
+
+/**
+ * Set the damping ratio of the spring.
+ * @param jointId a spherical joint
+ * @param dampingRatio the value >= 0; 1 is critical
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvSphericalJoint_SetSpringDampingRatio(mvJointId jointId, mvFloat dampingRatio);
+
+/**
+ * Get the damping ratio of the spring.
+ * @param jointId a spherical joint
+ * @return the value; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvSphericalJoint_GetSpringDampingRatio(mvJointId jointId);
+
+/**
+ * Set the greatest torque of the spring about each axis.
+ * @param jointId a spherical joint
+ * @param maxTorque the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvSphericalJoint_SetMaxSpringTorque(mvJointId jointId, mvFloat maxTorque);
+
+/**
+ * Get the greatest torque of the spring about each axis.
+ * @param jointId a spherical joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvSphericalJoint_GetMaxSpringTorque(mvJointId jointId);
+
+/**
+ * Set the rotation of frame B in frame A at which the spring rests.
+ * @param jointId a spherical joint
+ * @param targetRotation the rotation, of length 1
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvSphericalJoint_SetTargetRotation(mvJointId jointId, mvQuat targetRotation);
+
+/**
+ * Get the rotation of frame B in frame A at which the spring rests.
+ * @param jointId a spherical joint
+ * @return the rotation; the identity for another joint or a bad one
+ */
+MV_API mvQuat mvSphericalJoint_GetTargetRotation(mvJointId jointId);
+
+/**
+ * Turn the motor on or off.
+ * @param jointId a spherical joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvSphericalJoint_EnableMotor(mvJointId jointId, bool flag);
+
+/**
+ * Is the motor on?
+ * @param jointId a spherical joint; false for another joint or a bad one
+ */
+MV_API bool mvSphericalJoint_IsMotorEnabled(mvJointId jointId);
+
+/**
+ * Set the angular velocity that the motor wants, in the axes of frame A.
+ * @param jointId a spherical joint
+ * @param motorVelocity the value [rad/s]
+ * @note Errors: mv_errorNotFinite; mv_errorRange for another joint.
+ */
+MV_API void mvSphericalJoint_SetMotorVelocity(mvJointId jointId, mvVec3 motorVelocity);
+
+/**
+ * Get the angular velocity that the motor wants, in the axes of frame A.
+ * @param jointId a spherical joint
+ * @return the value [rad/s]; zero for another joint or a bad one
+ */
+MV_API mvVec3 mvSphericalJoint_GetMotorVelocity(mvJointId jointId);
+
+/**
+ * Get the torque of the motor about the axes of frame A.
+ * @param jointId a spherical joint
+ * @return the mean over the last sub-step [N m]; zero for another joint or a bad one
+ */
+MV_API mvVec3 mvSphericalJoint_GetMotorTorque(mvJointId jointId);
+
+/**
+ * Set the greatest torque of the motor about each axis.
+ * @param jointId a spherical joint
+ * @param torque the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvSphericalJoint_SetMaxMotorTorque(mvJointId jointId, mvFloat torque);
+
+/**
+ * Get the greatest torque of the motor about each axis.
+ * @param jointId a spherical joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvSphericalJoint_GetMaxMotorTorque(mvJointId jointId);
+
+/**
+ * Set the torque of dry friction about each axis.
+ * @param jointId a spherical joint
+ * @param friction the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvSphericalJoint_SetFriction(mvJointId jointId, mvFloat friction);
+
+/**
+ * Get the torque of dry friction about each axis.
+ * @param jointId a spherical joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvSphericalJoint_GetFriction(mvJointId jointId);
+
+/**
+ * Get the definition of an universal joint with the default values.
+ */
+MV_API mvUniversalJointDef mvDefaultUniversalJointDef(void);
+
+/**
+ * Create an universal joint. Its bodies wake.
+ *
+ * @param worldId the world that both bodies live in
+ * @param def the definition, from mvDefaultUniversalJointDef()
+ * @return the joint; null for bad arguments
+ * @note Errors: mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorUnsupported for a world whose solver
+ * has no joints.
+ */
+MV_API
+mvJointId mvCreateUniversalJoint(mvWorldId worldId,
+                                 const mvUniversalJointDef *def);
+
+/**
+ * Get the angle about x of frame A.
+ * @param jointId a universal joint
+ * @return the angle [rad], -pi to pi; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvUniversalJoint_GetAngle1(mvJointId jointId);
+
+/**
+ * Turn the spring about x of frame A on or off.
+ * @param jointId a universal joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvUniversalJoint_EnableSpring1(mvJointId jointId, bool flag);
+
+/**
+ * Is the spring about x of frame A on?
+ * @param jointId a universal joint; false for another joint or a bad one
+ */
+MV_API bool mvUniversalJoint_IsSpring1Enabled(mvJointId jointId);
+
+/**
+ * Set the frequency of the spring about x of frame A.
+ * @param jointId a universal joint
+ * @param hertz the value [Hz], >= 0; 0 has no effect
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvUniversalJoint_SetSpringHertz1(mvJointId jointId, mvFloat hertz);
+
+/**
+ * Get the frequency of the spring about x of frame A.
+ * @param jointId a universal joint
+ * @return the value [Hz]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvUniversalJoint_GetSpringHertz1(mvJointId jointId);
+
+/**
+ * Set the damping ratio of the spring about x of frame A.
+ * @param jointId a universal joint
+ * @param dampingRatio the value >= 0; 1 is critical
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvUniversalJoint_SetSpringDampingRatio1(mvJointId jointId, mvFloat dampingRatio);
+
+/**
+ * Get the damping ratio of the spring about x of frame A.
+ * @param jointId a universal joint
+ * @return the value; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvUniversalJoint_GetSpringDampingRatio1(mvJointId jointId);
+
+/**
+ * Set the angle about x of frame A at which the spring rests.
+ * @param jointId a universal joint
+ * @param angle the value [rad]
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvUniversalJoint_SetTargetAngle1(mvJointId jointId, mvFloat angle);
+
+/**
+ * Get the angle about x of frame A at which the spring rests.
+ * @param jointId a universal joint
+ * @return the value [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvUniversalJoint_GetTargetAngle1(mvJointId jointId);
+
+/**
+ * Turn the limit of the angle about x of frame A on or off.
+ * @param jointId a universal joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvUniversalJoint_EnableLimit1(mvJointId jointId, bool flag);
+
+/**
+ * Is the limit of the angle about x of frame A on?
+ * @param jointId a universal joint; false for another joint or a bad one
+ */
+MV_API bool mvUniversalJoint_IsLimit1Enabled(mvJointId jointId);
+
+/**
+ * Set the limits of the angle about x of frame A.
+ * @param jointId a universal joint
+ * @param lower the least [rad]
+ * @param upper the greatest [rad], not below the least
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvUniversalJoint_SetLimits1(mvJointId jointId, mvFloat lower, mvFloat upper);
+
+/**
+ * Get the limits of the angle about x of frame A: the least.
+ * @param jointId a universal joint
+ * @return the least [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvUniversalJoint_GetLowerLimit1(mvJointId jointId);
+
+/**
+ * Get the limits of the angle about x of frame A: the greatest.
+ * @param jointId a universal joint
+ * @return the greatest [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvUniversalJoint_GetUpperLimit1(mvJointId jointId);
+
+/**
+ * Turn the motor about x of frame A on or off.
+ * @param jointId a universal joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvUniversalJoint_EnableMotor1(mvJointId jointId, bool flag);
+
+/**
+ * Is the motor about x of frame A on?
+ * @param jointId a universal joint; false for another joint or a bad one
+ */
+MV_API bool mvUniversalJoint_IsMotor1Enabled(mvJointId jointId);
+
+/**
+ * Set the speed that the motor about x of frame A wants.
+ * @param jointId a universal joint
+ * @param motorSpeed the value [rad/s]
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvUniversalJoint_SetMotorSpeed1(mvJointId jointId, mvFloat motorSpeed);
+
+/**
+ * Get the speed that the motor about x of frame A wants.
+ * @param jointId a universal joint
+ * @return the value [rad/s]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvUniversalJoint_GetMotorSpeed1(mvJointId jointId);
+
+/**
+ * Set the greatest torque of the motor about x of frame A.
+ * @param jointId a universal joint
+ * @param torque the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvUniversalJoint_SetMaxMotorTorque1(mvJointId jointId, mvFloat torque);
+
+/**
+ * Get the greatest torque of the motor about x of frame A.
+ * @param jointId a universal joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvUniversalJoint_GetMaxMotorTorque1(mvJointId jointId);
+
+/**
+ * Set the torque of dry friction about x of frame A.
+ * @param jointId a universal joint
+ * @param torque the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvUniversalJoint_SetFriction1(mvJointId jointId, mvFloat torque);
+
+/**
+ * Get the torque of dry friction about x of frame A.
+ * @param jointId a universal joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvUniversalJoint_GetFriction1(mvJointId jointId);
+
+/**
+ * Get the angle about y of frame B.
+ * @param jointId a universal joint
+ * @return the angle [rad], -pi to pi; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvUniversalJoint_GetAngle2(mvJointId jointId);
+
+/**
+ * Turn the spring about y of frame B on or off.
+ * @param jointId a universal joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvUniversalJoint_EnableSpring2(mvJointId jointId, bool flag);
+
+/**
+ * Is the spring about y of frame B on?
+ * @param jointId a universal joint; false for another joint or a bad one
+ */
+MV_API bool mvUniversalJoint_IsSpring2Enabled(mvJointId jointId);
+
+/**
+ * Set the frequency of the spring about y of frame B.
+ * @param jointId a universal joint
+ * @param hertz the value [Hz], >= 0; 0 has no effect
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvUniversalJoint_SetSpringHertz2(mvJointId jointId, mvFloat hertz);
+
+/**
+ * Get the frequency of the spring about y of frame B.
+ * @param jointId a universal joint
+ * @return the value [Hz]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvUniversalJoint_GetSpringHertz2(mvJointId jointId);
+
+/**
+ * Set the damping ratio of the spring about y of frame B.
+ * @param jointId a universal joint
+ * @param dampingRatio the value >= 0; 1 is critical
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvUniversalJoint_SetSpringDampingRatio2(mvJointId jointId, mvFloat dampingRatio);
+
+/**
+ * Get the damping ratio of the spring about y of frame B.
+ * @param jointId a universal joint
+ * @return the value; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvUniversalJoint_GetSpringDampingRatio2(mvJointId jointId);
+
+/**
+ * Set the angle about y of frame B at which the spring rests.
+ * @param jointId a universal joint
+ * @param angle the value [rad]
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvUniversalJoint_SetTargetAngle2(mvJointId jointId, mvFloat angle);
+
+/**
+ * Get the angle about y of frame B at which the spring rests.
+ * @param jointId a universal joint
+ * @return the value [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvUniversalJoint_GetTargetAngle2(mvJointId jointId);
+
+/**
+ * Turn the limit of the angle about y of frame B on or off.
+ * @param jointId a universal joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvUniversalJoint_EnableLimit2(mvJointId jointId, bool flag);
+
+/**
+ * Is the limit of the angle about y of frame B on?
+ * @param jointId a universal joint; false for another joint or a bad one
+ */
+MV_API bool mvUniversalJoint_IsLimit2Enabled(mvJointId jointId);
+
+/**
+ * Set the limits of the angle about y of frame B.
+ * @param jointId a universal joint
+ * @param lower the least [rad]
+ * @param upper the greatest [rad], not below the least
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvUniversalJoint_SetLimits2(mvJointId jointId, mvFloat lower, mvFloat upper);
+
+/**
+ * Get the limits of the angle about y of frame B: the least.
+ * @param jointId a universal joint
+ * @return the least [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvUniversalJoint_GetLowerLimit2(mvJointId jointId);
+
+/**
+ * Get the limits of the angle about y of frame B: the greatest.
+ * @param jointId a universal joint
+ * @return the greatest [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvUniversalJoint_GetUpperLimit2(mvJointId jointId);
+
+/**
+ * Turn the motor about y of frame B on or off.
+ * @param jointId a universal joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvUniversalJoint_EnableMotor2(mvJointId jointId, bool flag);
+
+/**
+ * Is the motor about y of frame B on?
+ * @param jointId a universal joint; false for another joint or a bad one
+ */
+MV_API bool mvUniversalJoint_IsMotor2Enabled(mvJointId jointId);
+
+/**
+ * Set the speed that the motor about y of frame B wants.
+ * @param jointId a universal joint
+ * @param motorSpeed the value [rad/s]
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvUniversalJoint_SetMotorSpeed2(mvJointId jointId, mvFloat motorSpeed);
+
+/**
+ * Get the speed that the motor about y of frame B wants.
+ * @param jointId a universal joint
+ * @return the value [rad/s]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvUniversalJoint_GetMotorSpeed2(mvJointId jointId);
+
+/**
+ * Set the greatest torque of the motor about y of frame B.
+ * @param jointId a universal joint
+ * @param torque the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvUniversalJoint_SetMaxMotorTorque2(mvJointId jointId, mvFloat torque);
+
+/**
+ * Get the greatest torque of the motor about y of frame B.
+ * @param jointId a universal joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvUniversalJoint_GetMaxMotorTorque2(mvJointId jointId);
+
+/**
+ * Set the torque of dry friction about y of frame B.
+ * @param jointId a universal joint
+ * @param torque the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvUniversalJoint_SetFriction2(mvJointId jointId, mvFloat torque);
+
+/**
+ * Get the torque of dry friction about y of frame B.
+ * @param jointId a universal joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvUniversalJoint_GetFriction2(mvJointId jointId);
+
+/**
+ * Get the definition of a weld joint with the default values.
+ */
+MV_API mvWeldJointDef mvDefaultWeldJointDef(void);
+
+/**
+ * Create a weld joint. Its bodies wake.
+ *
+ * @param worldId the world that both bodies live in
+ * @param def the definition, from mvDefaultWeldJointDef()
+ * @return the joint; null for bad arguments
+ * @note Errors: mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorUnsupported for a world whose solver
+ * has no joints.
+ */
+MV_API
+mvJointId mvCreateWeldJoint(mvWorldId worldId,
+                            const mvWeldJointDef *def);
+
+/**
+ * Set the stiffness of the place.
+ * @param jointId a weld joint
+ * @param hertz the value [Hz], >= 0; 0 is rigid
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvWeldJoint_SetLinearHertz(mvJointId jointId, mvFloat hertz);
+
+/**
+ * Get the stiffness of the place.
+ * @param jointId a weld joint
+ * @return the value [Hz]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWeldJoint_GetLinearHertz(mvJointId jointId);
+
+/**
+ * Set the damping ratio of the place.
+ * @param jointId a weld joint
+ * @param dampingRatio the value >= 0; 1 is critical
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvWeldJoint_SetLinearDampingRatio(mvJointId jointId, mvFloat dampingRatio);
+
+/**
+ * Get the damping ratio of the place.
+ * @param jointId a weld joint
+ * @return the value; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWeldJoint_GetLinearDampingRatio(mvJointId jointId);
+
+/**
+ * Set the stiffness of the rotation.
+ * @param jointId a weld joint
+ * @param hertz the value [Hz], >= 0; 0 is rigid
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvWeldJoint_SetAngularHertz(mvJointId jointId, mvFloat hertz);
+
+/**
+ * Get the stiffness of the rotation.
+ * @param jointId a weld joint
+ * @return the value [Hz]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWeldJoint_GetAngularHertz(mvJointId jointId);
+
+/**
+ * Set the damping ratio of the rotation.
+ * @param jointId a weld joint
+ * @param dampingRatio the value >= 0; 1 is critical
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvWeldJoint_SetAngularDampingRatio(mvJointId jointId, mvFloat dampingRatio);
+
+/**
+ * Get the damping ratio of the rotation.
+ * @param jointId a weld joint
+ * @return the value; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWeldJoint_GetAngularDampingRatio(mvJointId jointId);
+
+/**
+ * Get the definition of a wheel joint with the default values.
+ */
+MV_API mvWheelJointDef mvDefaultWheelJointDef(void);
+
+/**
+ * Create a wheel joint. Its bodies wake.
+ *
+ * @param worldId the world that both bodies live in
+ * @param def the definition, from mvDefaultWheelJointDef()
+ * @return the joint; null for bad arguments
+ * @note Errors: mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorUnsupported for a world whose solver
+ * has no joints.
+ */
+MV_API
+mvJointId mvCreateWheelJoint(mvWorldId worldId,
+                             const mvWheelJointDef *def);
+
+/**
+ * Turn the spring of the suspension on or off.
+ * @param jointId a wheel joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvWheelJoint_EnableSuspension(mvJointId jointId, bool flag);
+
+/**
+ * Is the spring of the suspension on?
+ * @param jointId a wheel joint; false for another joint or a bad one
+ */
+MV_API bool mvWheelJoint_IsSuspensionEnabled(mvJointId jointId);
+
+/**
+ * Set the frequency of the suspension.
+ * @param jointId a wheel joint
+ * @param hertz the value [Hz], >= 0; 0 has no effect
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvWheelJoint_SetSuspensionHertz(mvJointId jointId, mvFloat hertz);
+
+/**
+ * Get the frequency of the suspension.
+ * @param jointId a wheel joint
+ * @return the value [Hz]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetSuspensionHertz(mvJointId jointId);
+
+/**
+ * Set the damping ratio of the suspension.
+ * @param jointId a wheel joint
+ * @param dampingRatio the value >= 0; 1 is critical
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvWheelJoint_SetSuspensionDampingRatio(mvJointId jointId, mvFloat dampingRatio);
+
+/**
+ * Get the damping ratio of the suspension.
+ * @param jointId a wheel joint
+ * @return the value; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetSuspensionDampingRatio(mvJointId jointId);
+
+/**
+ * Set the travel at which the suspension rests.
+ * @param jointId a wheel joint
+ * @param travel the value [m]
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvWheelJoint_SetTargetSuspension(mvJointId jointId, mvFloat travel);
+
+/**
+ * Get the travel at which the suspension rests.
+ * @param jointId a wheel joint
+ * @return the value [m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetTargetSuspension(mvJointId jointId);
+
+/**
+ * Set the greatest force of the suspension.
+ * @param jointId a wheel joint
+ * @param force the value [N], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvWheelJoint_SetMaxSuspensionForce(mvJointId jointId, mvFloat force);
+
+/**
+ * Get the greatest force of the suspension.
+ * @param jointId a wheel joint
+ * @return the value [N]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetMaxSuspensionForce(mvJointId jointId);
+
+/**
+ * Get how far the wheel is along x of frame A.
+ * @param jointId a wheel joint
+ * @return the travel [m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetSuspensionTravel(mvJointId jointId);
+
+/**
+ * Turn the limit of the travel on or off.
+ * @param jointId a wheel joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvWheelJoint_EnableSuspensionLimit(mvJointId jointId, bool flag);
+
+/**
+ * Is the limit of the travel on?
+ * @param jointId a wheel joint; false for another joint or a bad one
+ */
+MV_API bool mvWheelJoint_IsSuspensionLimitEnabled(mvJointId jointId);
+
+/**
+ * Set the limits of the travel.
+ * @param jointId a wheel joint
+ * @param lower the least [m]
+ * @param upper the greatest [m], not below the least
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvWheelJoint_SetSuspensionLimits(mvJointId jointId, mvFloat lower, mvFloat upper);
+
+/**
+ * Get the limits of the travel: the least.
+ * @param jointId a wheel joint
+ * @return the least [m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetLowerSuspensionLimit(mvJointId jointId);
+
+/**
+ * Get the limits of the travel: the greatest.
+ * @param jointId a wheel joint
+ * @return the greatest [m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetUpperSuspensionLimit(mvJointId jointId);
+
+/**
+ * Turn the motor that spins the wheel on or off.
+ * @param jointId a wheel joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvWheelJoint_EnableSpinMotor(mvJointId jointId, bool flag);
+
+/**
+ * Is the motor that spins the wheel on?
+ * @param jointId a wheel joint; false for another joint or a bad one
+ */
+MV_API bool mvWheelJoint_IsSpinMotorEnabled(mvJointId jointId);
+
+/**
+ * Set the speed that the motor wants.
+ * @param jointId a wheel joint
+ * @param speed the value [rad/s]
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvWheelJoint_SetSpinMotorSpeed(mvJointId jointId, mvFloat speed);
+
+/**
+ * Get the speed that the motor wants.
+ * @param jointId a wheel joint
+ * @return the value [rad/s]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetSpinMotorSpeed(mvJointId jointId);
+
+/**
+ * Set the greatest torque of the motor.
+ * @param jointId a wheel joint
+ * @param torque the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvWheelJoint_SetMaxSpinTorque(mvJointId jointId, mvFloat torque);
+
+/**
+ * Get the greatest torque of the motor.
+ * @param jointId a wheel joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetMaxSpinTorque(mvJointId jointId);
+
+/**
+ * Set the torque of dry friction in the bearing.
+ * @param jointId a wheel joint
+ * @param torque the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvWheelJoint_SetSpinFriction(mvJointId jointId, mvFloat torque);
+
+/**
+ * Get the torque of dry friction in the bearing.
+ * @param jointId a wheel joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetSpinFriction(mvJointId jointId);
+
+/**
+ * Get how fast the wheel spins against the chassis.
+ * @param jointId a wheel joint
+ * @return the speed [rad/s]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetSpinSpeed(mvJointId jointId);
+
+/**
+ * Get how far the wheel has turned, counting whole turns.
+ * @param jointId a wheel joint
+ * @return the angle [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetSpinAngle(mvJointId jointId);
+
+/**
+ * Get the torque of the motor that spins the wheel.
+ * @param jointId a wheel joint
+ * @return the mean over the last sub-step [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetSpinTorque(mvJointId jointId);
+
+/**
+ * Turn steering on or off.
+ * @param jointId a wheel joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvWheelJoint_EnableSteering(mvJointId jointId, bool flag);
+
+/**
+ * Is steering on?
+ * @param jointId a wheel joint; false for another joint or a bad one
+ */
+MV_API bool mvWheelJoint_IsSteeringEnabled(mvJointId jointId);
+
+/**
+ * Set the frequency of the spring that steers.
+ * @param jointId a wheel joint
+ * @param hertz the value [Hz], >= 0; 0 has no effect
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvWheelJoint_SetSteeringHertz(mvJointId jointId, mvFloat hertz);
+
+/**
+ * Get the frequency of the spring that steers.
+ * @param jointId a wheel joint
+ * @return the value [Hz]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetSteeringHertz(mvJointId jointId);
+
+/**
+ * Set the damping ratio of the spring that steers.
+ * @param jointId a wheel joint
+ * @param dampingRatio the value >= 0; 1 is critical
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvWheelJoint_SetSteeringDampingRatio(mvJointId jointId, mvFloat dampingRatio);
+
+/**
+ * Get the damping ratio of the spring that steers.
+ * @param jointId a wheel joint
+ * @return the value; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetSteeringDampingRatio(mvJointId jointId);
+
+/**
+ * Set the greatest torque of the spring that steers.
+ * @param jointId a wheel joint
+ * @param torque the value [N m], >= 0, may be infinite
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvWheelJoint_SetMaxSteeringTorque(mvJointId jointId, mvFloat torque);
+
+/**
+ * Get the greatest torque of the spring that steers.
+ * @param jointId a wheel joint
+ * @return the value [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetMaxSteeringTorque(mvJointId jointId);
+
+/**
+ * Turn the limit of the steering angle on or off.
+ * @param jointId a wheel joint
+ * @param flag whether it acts
+ * @note Errors: mv_errorRange, also for another joint.
+ */
+MV_API void mvWheelJoint_EnableSteeringLimit(mvJointId jointId, bool flag);
+
+/**
+ * Is the limit of the steering angle on?
+ * @param jointId a wheel joint; false for another joint or a bad one
+ */
+MV_API bool mvWheelJoint_IsSteeringLimitEnabled(mvJointId jointId);
+
+/**
+ * Set the limits of the steering angle.
+ * @param jointId a wheel joint
+ * @param lower the least [rad]
+ * @param upper the greatest [rad], not below the least
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvWheelJoint_SetSteeringLimits(mvJointId jointId, mvFloat lower, mvFloat upper);
+
+/**
+ * Get the limits of the steering angle: the least.
+ * @param jointId a wheel joint
+ * @return the least [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetLowerSteeringLimit(mvJointId jointId);
+
+/**
+ * Get the limits of the steering angle: the greatest.
+ * @param jointId a wheel joint
+ * @return the greatest [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetUpperSteeringLimit(mvJointId jointId);
+
+/**
+ * Set the angle that the spring steers to.
+ * @param jointId a wheel joint
+ * @param angle the value [rad]
+ * @note Errors: mv_errorNotFinite, mv_errorRange; mv_errorRange for another joint.
+ */
+MV_API void mvWheelJoint_SetTargetSteeringAngle(mvJointId jointId, mvFloat angle);
+
+/**
+ * Get the angle that the spring steers to.
+ * @param jointId a wheel joint
+ * @return the value [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetTargetSteeringAngle(mvJointId jointId);
+
+/**
+ * Get the steering angle about x of frame A.
+ * @param jointId a wheel joint
+ * @return the angle [rad]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetSteeringAngle(mvJointId jointId);
+
+/**
+ * Get the torque that steers the wheel, spring and limits together.
+ * @param jointId a wheel joint
+ * @return the mean over the last sub-step [N m]; 0 for another joint or a bad one
+ */
+MV_API mvFloat mvWheelJoint_GetSteeringTorque(mvJointId jointId);
 
 /**
  * Get the name of a solver.
@@ -4414,6 +8030,7 @@ uint64_t mvWorld_GetStateHash(mvWorldId worldId);
 static const mvWorldId mv_nullWorldId = MV_NULL_ID;
 static const mvBodyId mv_nullBodyId = MV_NULL_ID;
 static const mvShapeId mv_nullShapeId = MV_NULL_ID;
+static const mvJointId mv_nullJointId = MV_NULL_ID;
 static const mvContactId mv_nullContactId = MV_NULL_ID;
 
 /** Whether an id of any type is null. */
@@ -4467,6 +8084,22 @@ MV_INLINE uint64_t mvStoreShapeId(mvShapeId id)
 MV_INLINE mvShapeId mvLoadShapeId(uint64_t x)
 {
     mvShapeId id;
+    id.index1 = (int32_t)(uint32_t)(x >> 32);
+    id.world0 = (uint16_t)(x >> 16 & 0xffffu);
+    id.generation = (uint16_t)(x & 0xffffu);
+    return id;
+}
+
+/** Pack a joint id into an integer; 0 is null. */
+MV_INLINE uint64_t mvStoreJointId(mvJointId id)
+{
+    return (uint64_t)(uint32_t)id.index1 << 32 | (uint64_t)id.world0 << 16 | (uint64_t)id.generation;
+}
+
+/** Unpack a joint id. */
+MV_INLINE mvJointId mvLoadJointId(uint64_t x)
+{
+    mvJointId id;
     id.index1 = (int32_t)(uint32_t)(x >> 32);
     id.world0 = (uint16_t)(x >> 16 & 0xffffu);
     id.generation = (uint16_t)(x & 0xffffu);

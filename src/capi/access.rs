@@ -1,10 +1,10 @@
 //! What exported functions call: guard → look up a world and take its lock → look up a body or shape → one call.
 
 use super::guard::{Neutral, call, caught};
-use super::id::{mvBodyId, mvContactId, mvShapeId, mvWorldId};
+use super::id::{mvBodyId, mvContactId, mvJointId, mvShapeId, mvWorldId};
 use super::registry::{Edit, Target, View, read, write};
 use crate::error::Result;
-use crate::world::{BodyMut, BodyRef, ColliderMut, ColliderRef};
+use crate::world::{BodyMut, BodyRef, ColliderMut, ColliderRef, JointMut, JointRef};
 
 pub(super) fn read_world<R: Neutral>(id: mvWorldId, f: impl FnOnce(View<'_>) -> Result<R>) -> R {
     call(|| read(Target::world(id)?, f))
@@ -49,6 +49,18 @@ pub(super) fn edit_at_shape<R: Neutral>(id: mvShapeId, f: impl FnOnce(Edit<'_>) 
     call(|| write(Target::of(id.index1, id.world0, "shape")?, f))
 }
 
+pub(super) fn read_joint<R: Neutral>(id: mvJointId, f: impl FnOnce(JointRef<'_>) -> Result<R>) -> R {
+    call(|| read(Target::of(id.index1, id.world0, "joint")?, |v| f(v.world.joint(id.into())?)))
+}
+
+pub(super) fn write_joint<R: Neutral>(id: mvJointId, f: impl FnOnce(JointMut<'_>) -> Result<R>) -> R {
+    call(|| write(Target::of(id.index1, id.world0, "joint")?, |e| f(e.world.joint_mut(id.into())?)))
+}
+
+pub(super) fn edit_at_joint<R: Neutral>(id: mvJointId, f: impl FnOnce(Edit<'_>) -> Result<R>) -> R {
+    call(|| write(Target::of(id.index1, id.world0, "joint")?, f))
+}
+
 /// Whether the body lives; false also when nobody may look now.
 pub(super) fn is_body(id: mvBodyId) -> bool {
     caught(|| look_up_body(id)).is_ok()
@@ -57,6 +69,13 @@ pub(super) fn is_body(id: mvBodyId) -> bool {
 /// Whether the shape lives; false also when nobody may look now.
 pub(super) fn is_shape(id: mvShapeId) -> bool {
     caught(|| look_up_shape(id)).is_ok()
+}
+
+/// Whether the joint lives; false also when nobody may look now.
+pub(super) fn is_joint(id: mvJointId) -> bool {
+    let look_up =
+        || read(Target::of(id.index1, id.world0, "joint")?, |v| v.world.joint(id.into()).map(|_| ()));
+    caught(look_up).is_ok()
 }
 
 /// Whether the contact's world can be read now and says so.

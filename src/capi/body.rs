@@ -6,7 +6,7 @@ use super::def::*;
 use super::def_check::{body_type, flag, from_word, to_word};
 use super::error::text;
 use super::guard::{c_count, fill, needed, room};
-use super::id::{mvBodyId, mvShapeId, mvWorldId};
+use super::id::{mvBodyId, mvJointId, mvShapeId, mvWorldId};
 use super::math::mvAABB;
 use super::registry;
 use super::side::Named;
@@ -245,6 +245,33 @@ pub unsafe extern "C" fn mvBody_GetShapes(
         let room = unsafe { room("shapes", shape_array, capacity) }?;
         let n = c_count(room.len());
         Ok(fill(room, b.shapes().map(Into::into)).min(n))
+    })
+}
+
+/// Get the number of joints of a body. Gears count at all bodies of their two joints.
+/// @param bodyId the body
+#[unsafe(no_mangle)]
+pub extern "C" fn mvBody_GetJointCount(body_id: mvBodyId) -> c_int {
+    read_body(body_id, |b| Ok(c_count(b.joints().len())))
+}
+
+/// Get the joints of a body, in no particular order.
+/// @param bodyId the body
+/// @param jointArray filled with the joints; may be null
+/// @param capacity the room in the array, >= 0
+/// @return how many were written
+/// @note Errors: mv_errorRange.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mvBody_GetJoints(
+    body_id: mvBodyId,
+    joint_array: *mut mvJointId,
+    capacity: c_int,
+) -> c_int {
+    read_body(body_id, |b| {
+        // Sound: the caller passes that much room.
+        let room = unsafe { room("joints", joint_array, capacity) }?;
+        let n = c_count(room.len());
+        Ok(fill(room, b.joints().map(Into::into)).min(n))
     })
 }
 

@@ -293,7 +293,7 @@ pub struct mvShapeDef {
 
 /// What stands in a definition's internalValue: it mixes the struct's size, the precision and the ABI revision with
 /// what the definition is for.
-const fn cookie<T>(purpose: u32) -> i32 {
+pub(super) const fn cookie<T>(purpose: u32) -> i32 {
     let mut h = 0x811c_9dc5 ^ purpose;
     let facts = [size_of::<T>() as u32, size_of::<mvFloat>() as u32, MV_ABI_REVISION as u32];
     let mut k = 0;

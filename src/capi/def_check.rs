@@ -33,7 +33,7 @@ pub(super) fn body_type(value: mvBodyType) -> Result<BodyType> {
     choice("type", value, &[BodyType::Static, BodyType::Kinematic, BodyType::Dynamic], |k| k as i32)
 }
 
-fn check_cookie(what: &str, value: i32, cookie: i32) -> Result<()> {
+pub(super) fn check_cookie(what: &str, value: i32, cookie: i32) -> Result<()> {
     if value == cookie {
         return Ok(());
     }

@@ -2,7 +2,7 @@
 
 use super::access::read_world;
 use super::guard::{c_count, neutral};
-use super::id::{mvBodyId, mvContactId, mvShapeId, mvWorldId};
+use super::id::{mvBodyId, mvContactId, mvJointId, mvShapeId, mvWorldId};
 use super::math::{mvPos, mvVec3, mvWorldTransform};
 use super::mvFloat;
 use crate::world::World;
@@ -96,7 +96,34 @@ pub struct mvContactEvents {
     pub hit_count: c_int,
 }
 
+/// A joint carried more than one of its thresholds in the last step.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct mvJointEvent {
+    /// The joint; stale where it broke.
+    pub joint_id: mvJointId,
+    /// The joint's user data.
+    pub user_data: *mut c_void,
+    /// The size of its force on body B, mean over the step [N].
+    pub force: mvFloat,
+    /// The size of its torque on body B, mean over the step [N m].
+    pub torque: mvFloat,
+    /// Whether it broke.
+    pub broke: bool,
+}
+
+/// The joints that carried too much in a step.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct mvJointEvents {
+    /// The events, in order of the joints' places. Valid until the next step.
+    pub joint_events: *mut mvJointEvent,
+    /// Their number.
+    pub count: c_int,
+}
+
 neutral! {
+    mvJointEvents = mvJointEvents { joint_events: std::ptr::null_mut(), count: 0 };
     mvBodyEvents = mvBodyEvents { move_events: std::ptr::null_mut(), move_count: 0 };
     mvContactEvents = mvContactEvents {
         begin_events: std::ptr::null_mut(),
@@ -116,6 +143,7 @@ pub(super) struct EventArrays {
     begin: Vec<mvContactBeginTouchEvent>,
     end: Vec<mvContactEndTouchEvent>,
     hit: Vec<mvContactHitEvent>,
+    joint: Vec<mvJointEvent>,
 }
 
 impl EventArrays {
@@ -134,6 +162,14 @@ impl EventArrays {
             transform: e.transform.into(),
             body_id: e.body.into(),
             fell_asleep: e.fell_asleep,
+        }));
+        self.joint.clear();
+        self.joint.extend(world.joint_events().iter().map(|e| mvJointEvent {
+            joint_id: e.joint.into(),
+            user_data: super::def_check::from_word(e.user_data),
+            force: e.force,
+            torque: e.torque,
+            broke: e.broke,
         }));
         self.begin.clear();
         self.begin.extend(world.contact_begin_events().iter().map(|e| mvContactBeginTouchEvent {
@@ -189,6 +225,20 @@ pub extern "C" fn mvWorld_GetContactEvents(world_id: mvWorldId) -> mvContactEven
             begin_count: c_count(e.begin.len()),
             end_count: c_count(e.end.len()),
             hit_count: c_count(e.hit.len()),
+        }))
+    })
+}
+
+/// Get the joints that carried more than one of their thresholds in the last step.
+///
+/// @return the events; none for a bad world. Their array stays valid until the next step, whatever else happens
+/// to the joints, or until the world is destroyed.
+#[unsafe(no_mangle)]
+pub extern "C" fn mvWorld_GetJointEvents(world_id: mvWorldId) -> mvJointEvents {
+    read_world(world_id, |view| {
+        Ok(view.side.events(view.world, |e| mvJointEvents {
+            joint_events: e.joint.as_mut_ptr(),
+            count: c_count(e.joint.len()),
         }))
     })
 }

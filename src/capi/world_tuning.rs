@@ -56,6 +56,8 @@ pub struct mvCounters {
     pub awake_body_count: c_int,
     /// Shapes.
     pub shape_count: c_int,
+    /// Joints.
+    pub joint_count: c_int,
     /// Pairs of shapes whose boxes meet.
     pub contact_count: c_int,
     /// Contacts that acted in the last step.
@@ -84,6 +86,10 @@ pub struct mvStepReport {
     pub angular_momentum: [f64; 3],
     /// The deepest overlap of any contact [m].
     pub worst_penetration: mvFloat,
+    /// The greatest error of what rigid joints hold: of lengths [m].
+    pub joint_gap: mvFloat,
+    /// The same of angles [rad].
+    pub joint_angle_gap: mvFloat,
     /// The greatest approach speed left at a loaded contact point [m/s].
     pub residual: mvFloat,
     /// The sub-steps of the last step.
@@ -128,6 +134,7 @@ const NOTHING: mvCounters = mvCounters {
     body_count: 0,
     awake_body_count: 0,
     shape_count: 0,
+    joint_count: 0,
     contact_count: 0,
     constraint_count: 0,
     overflow_count: 0,
@@ -146,6 +153,8 @@ neutral! {
         linear_momentum: [0.0; 3],
         angular_momentum: [0.0; 3],
         worst_penetration: 0.0,
+        joint_gap: 0.0,
+        joint_angle_gap: 0.0,
         residual: 0.0,
         sub_step_count: 0,
         solver: 0,
@@ -349,6 +358,8 @@ pub extern "C" fn mvWorld_GetStepReport(world_id: mvWorldId) -> mvStepReport {
             linear_momentum: r.linear_momentum,
             angular_momentum: r.angular_momentum,
             worst_penetration: r.worst_penetration,
+            joint_gap: r.joint_gap,
+            joint_angle_gap: r.joint_angle_gap,
             residual: r.residual,
             sub_step_count: c_count(r.sub_steps as usize),
             solver: r.solve.solver.resolved() as i32,
@@ -396,6 +407,7 @@ impl From<crate::world::Counters> for mvCounters {
             body_count: c_count(c.bodies),
             awake_body_count: c_count(c.awake_bodies),
             shape_count: c_count(c.shapes),
+            joint_count: c_count(c.joints),
             contact_count: c_count(c.contacts),
             constraint_count: c_count(c.constraints),
             overflow_count: c_count(c.overflow),

@@ -40,6 +40,8 @@ pub struct Counters {
     pub awake_bodies: usize,
     /// Shapes.
     pub shapes: usize,
+    /// Joints.
+    pub joints: usize,
     /// Pairs of shapes whose boxes meet.
     pub contacts: usize,
     /// Contacts that were constraints in the last step.
@@ -108,6 +110,7 @@ impl World {
             bodies: self.identity.bodies.live(),
             awake_bodies: self.bodies.awake().len(),
             shapes: self.identity.shapes.live(),
+            joints: self.identity.joints.live(),
             contacts: self.identity.contacts.live(),
             constraints: self.work.bodies.constraints,
             overflow: self.work.soft_step.overflow,

@@ -52,8 +52,9 @@ fn generate() -> Result<String, Box<dyn Error>> {
     // A byte that C calls bool; Rust checks it before it believes it.
     config.export.rename.insert("Flag".into(), "bool".into());
     // Needed by the inline part or by users, whether or not a function mentions them.
-    config.export.include =
-        ["mvVec2", "mvWorldId", "mvBodyId", "mvShapeId", "mvContactId"].map(str::to_owned).into();
+    config.export.include = ["mvVec2", "mvWorldId", "mvBodyId", "mvShapeId", "mvJointId", "mvContactId"]
+        .map(str::to_owned)
+        .into();
 
     let mut out = Vec::new();
     Builder::new().with_config(config).with_src(capi.join("mod.rs")).generate()?.write(&mut out);

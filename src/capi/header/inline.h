@@ -13,6 +13,7 @@
 static const mvWorldId mv_nullWorldId = MV_NULL_ID;
 static const mvBodyId mv_nullBodyId = MV_NULL_ID;
 static const mvShapeId mv_nullShapeId = MV_NULL_ID;
+static const mvJointId mv_nullJointId = MV_NULL_ID;
 static const mvContactId mv_nullContactId = MV_NULL_ID;
 
 /** Whether an id of any type is null. */
@@ -66,6 +67,22 @@ MV_INLINE uint64_t mvStoreShapeId(mvShapeId id)
 MV_INLINE mvShapeId mvLoadShapeId(uint64_t x)
 {
     mvShapeId id;
+    id.index1 = (int32_t)(uint32_t)(x >> 32);
+    id.world0 = (uint16_t)(x >> 16 & 0xffffu);
+    id.generation = (uint16_t)(x & 0xffffu);
+    return id;
+}
+
+/** Pack a joint id into an integer; 0 is null. */
+MV_INLINE uint64_t mvStoreJointId(mvJointId id)
+{
+    return (uint64_t)(uint32_t)id.index1 << 32 | (uint64_t)id.world0 << 16 | (uint64_t)id.generation;
+}
+
+/** Unpack a joint id. */
+MV_INLINE mvJointId mvLoadJointId(uint64_t x)
+{
+    mvJointId id;
     id.index1 = (int32_t)(uint32_t)(x >> 32);
     id.world0 = (uint16_t)(x >> 16 & 0xffffu);
     id.generation = (uint16_t)(x & 0xffffu);
