@@ -8,8 +8,11 @@ use crate::scene::Scene;
 use crate::scenes::joints;
 use crate::table::{Table, length};
 
+/// A scene, what is measured, after how many steps, and where the tip should be then.
+type Golden = (fn() -> Scene, &'static str, usize, [f64; 2]);
+
 /// Golden tips from an independent integration in minimal coordinates \[m\].
-const GOLDEN: [(fn() -> Scene, &str, usize, [f64; 2]); 5] = [
+const GOLDEN: [Golden; 5] = [
     (joints::double_pendulum, "double pendulum, tip at 1 s", 60, [-1.662_115_14, -1.041_466_64]),
     (joints::double_pendulum, "double pendulum, tip at 2 s", 120, [0.313_524_78, -1.914_746_62]),
     (joints::double_pendulum, "double pendulum, tip at 3 s", 180, [1.330_436_83, -1.398_644_86]),

@@ -60,6 +60,7 @@ use crate::math::{Float, Vec3};
 
 /// What is between the two frames, with its parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "stored once a joint; boxes would only scatter them")]
 pub enum JointKind {
     /// See [`distance`].
     Distance(DistanceJoint),
