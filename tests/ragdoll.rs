@@ -62,7 +62,7 @@ fn the_mass_is_what_is_asked_for() {
 
 #[test]
 fn in_flight_momentum_stays_and_limits_hold() {
-    let mut r = Random::new(5);
+    let mut r = Random(5);
     for bones in [11, 14] {
         let mut w = world(0.0);
         let def = HumanDef { bones, mass: 75.0, ..HumanDef::default() };
@@ -95,7 +95,7 @@ fn in_flight_momentum_stays_and_limits_hold() {
 fn a_heap_falls_asleep() {
     let mut w = world(10.0);
     floor(&mut w);
-    let mut r = Random::new(7);
+    let mut r = Random(7);
     let humans: Vec<Human> = (0..20)
         .map(|k| {
             let def = HumanDef {
