@@ -95,6 +95,11 @@ typedef float mvFloat;
 #define MV_MAX_HULL_VERTICES 255
 
 /**
+ * The most bones of a human.
+ */
+#define MV_MAX_BONES 14
+
+/**
  * A version by the rules of semver.org.
  */
 typedef struct mvVersion {
@@ -1536,6 +1541,85 @@ typedef struct mvBoxHull {
      */
     uint16_t padding[2];
 } mvBoxHull;
+
+/**
+ * What a human is made from. Made by mvDefaultHumanDef().
+ */
+typedef struct mvHumanDef {
+    /**
+     * Shows that the definition was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * How many bones: 11, the default, or 14, with a spine of two parts and feet.
+     */
+    int boneCount;
+    /**
+     * Where it stands [m]; default the origin.
+     */
+    mvPos position;
+    /**
+     * How it stands; default upright: y up, looking along z.
+     */
+    mvQuat rotation;
+    /**
+     * The height [m], 0.01 to 100; default 1.8.
+     */
+    mvFloat height;
+    /**
+     * The density [kg/m^3], > 0; default 1000.
+     */
+    mvFloat density;
+    /**
+     * The mass of the whole body [kg], >= 0; 0, the default, is what the density gives.
+     */
+    mvFloat mass;
+    /**
+     * The torque of dry friction in each joint [N m], >= 0; default 1.
+     */
+    mvFloat frictionTorque;
+    /**
+     * The frequency of springs that hold the rest pose [Hz], >= 0; default 0: none.
+     */
+    mvFloat springHertz;
+    /**
+     * Their damping ratio, >= 0; default 0.7.
+     */
+    mvFloat springDampingRatio;
+    /**
+     * The collision group of all bones. Negative, as the default -1, bones of one group do not collide: give each
+     * human a group of its own, or they pass through each other.
+     */
+    int groupIndex;
+    /**
+     * The surface of all bones.
+     */
+    mvSurfaceMaterial material;
+    /**
+     * Anything: the user data of all bodies, shapes and joints.
+     */
+    void *userData;
+} mvHumanDef;
+
+/**
+ * The bones of a human, and their joints. A plain value that is copied freely.
+ */
+typedef struct mvHuman {
+    /**
+     * How many bones; 0 for none.
+     */
+    int boneCount;
+    /**
+     * Pelvis, (abdomen,) chest, head, left and right upper arm, left and right forearm, left and right thigh, left
+     * and right shank(, left and right foot). What is in brackets is there with 14 bones.
+     */
+    mvBodyId bodyIds[14];
+    /**
+     * The joint by which each bone hangs on another; null for the pelvis. Spherical at spine, neck, shoulders and
+     * hips, revolute at elbows, knees and ankles.
+     */
+    mvJointId jointIds[14];
+} mvHuman;
 
 /**
  * What a joint is: one of the mv_...Joint constants. Numbers are never reused.
@@ -4428,6 +4512,67 @@ mvBoxHull mvMakeTransformedBoxHull(mvFloat hx,
                                    mvFloat hy,
                                    mvFloat hz,
                                    mvTransform transform);
+
+/**
+ * Get the definition of a human with the default values.
+ */
+MV_API mvHumanDef mvDefaultHumanDef(void);
+
+/**
+ * Create a human in its rest pose: standing, arms down. Nothing strains it.
+ *
+ * @param worldId the world
+ * @param def the definition, from mvDefaultHumanDef()
+ * @return the human; no bones for bad arguments
+ * @note Errors: mv_errorDefinition, mv_errorNotFinite, mv_errorRange, mv_errorUnsupported for a world whose solver
+ * has no joints.
+ */
+MV_API
+mvHuman mvCreateHuman(mvWorldId worldId,
+                      const mvHumanDef *def);
+
+/**
+ * Destroy what is left of a human. Bones that were destroyed before are passed over.
+ * @param human the human, from mvCreateHuman()
+ * @note Errors: mv_errorRange for a number of bones that no human has.
+ */
+MV_API void mvDestroyHuman(const mvHuman *human);
+
+/**
+ * Set the torque of dry friction in each joint of a human.
+ * @param human the human, from mvCreateHuman()
+ * @param torque the torque [N m], >= 0
+ * @note Errors: mv_errorNotFinite, mv_errorRange, mv_errorStale where a joint was destroyed.
+ */
+MV_API void mvHuman_SetFrictionTorque(const mvHuman *human, mvFloat torque);
+
+/**
+ * Set the springs that hold the rest pose of a human.
+ * @param human the human, from mvCreateHuman()
+ * @param hertz the frequency [Hz], >= 0; 0 for none
+ * @param dampingRatio the damping ratio, >= 0
+ * @note Errors: mv_errorNotFinite, mv_errorRange, mv_errorStale where a joint was destroyed.
+ */
+MV_API void mvHuman_SetSpring(const mvHuman *human, mvFloat hertz, mvFloat dampingRatio);
+
+/**
+ * Give all bones of a human one velocity, without rotation.
+ * @param human the human, from mvCreateHuman()
+ * @param velocity the velocity [m/s]
+ * @note Errors: mv_errorNotFinite, mv_errorRange, mv_errorStale where a bone was destroyed.
+ */
+MV_API void mvHuman_SetVelocity(const mvHuman *human, mvVec3 velocity);
+
+/**
+ * Push a human: the impulse is shared out by mass, so that all bones gain the same velocity. To push one bone, use
+ * mvBody_ApplyLinearImpulse().
+ * @param human the human, from mvCreateHuman()
+ * @param impulse the impulse [N s]
+ * @note Errors: mv_errorNotFinite, mv_errorRange, mv_errorStale where a bone was destroyed.
+ */
+MV_API
+void mvHuman_ApplyLinearImpulse(const mvHuman *human,
+                                mvVec3 impulse);
 
 /**
  * Destroy a joint, with the gears that run on it.

@@ -118,7 +118,7 @@ fn the_examples_pass_shared_and_static() {
             assert_eq!(run(&build(&source, shared)), None);
         }
         let lines = std::fs::read_to_string(&source).unwrap().lines().count();
-        assert!(lines < 100, "{} has {lines} lines", source.display());
+        assert!(lines < 120, "{} has {lines} lines", source.display());
     }
 }
 

@@ -27,6 +27,7 @@ struct Story {
     worlds: Vec<mvWorldId>,
     bodies: Vec<mvBodyId>,
     shapes: Vec<mvShapeId>,
+    joints: Vec<mvJointId>,
     contacts: Vec<mvContactId>,
     hulls: Vec<*mut mvHullData>,
     boxes: Vec<mvBoxHull>,
@@ -43,6 +44,7 @@ impl Story {
             worlds: vec![mvWorldId::default()],
             bodies: vec![mvBodyId::default()],
             shapes: vec![mvShapeId::default()],
+            joints: vec![mvJointId::default()],
             contacts: vec![mvContactId::default()],
             hulls: Vec::new(),
             boxes: Vec::new(),
@@ -82,6 +84,19 @@ impl Story {
             1 => mvShapeId { index1: self.r.below(20) as i32, world0: self.r.below(4) as u16, generation: 1 },
             2 => mvShapeId::default(),
             _ => self.shapes[self.r.late(self.shapes.len())],
+        }
+    }
+
+    fn joint(&mut self) -> mvJointId {
+        match self.r.below(60) {
+            0 => mvJointId {
+                index1: self.r.word() as i32,
+                world0: self.r.word() as u16,
+                generation: self.r.word() as u16,
+            },
+            1 => mvJointId { index1: self.r.below(20) as i32, world0: self.r.below(4) as u16, generation: 1 },
+            2 => mvJointId::default(),
+            _ => self.joints[self.r.late(self.joints.len())],
         }
     }
 
@@ -168,6 +183,7 @@ impl Story {
         halve(&mut self.worlds, 12);
         halve(&mut self.bodies, 120);
         halve(&mut self.shapes, 120);
+        halve(&mut self.joints, 120);
         halve(&mut self.contacts, 60);
         halve(&mut self.boxes, 12);
     }
@@ -242,6 +258,8 @@ type Act = (&'static str, fn(&mut Story));
 
 #[path = "capi_random/acts.rs"]
 mod acts;
+#[path = "capi_random/joints.rs"]
+mod joints;
 
 fn act(s: &mut Story) {
     let (name, act) = acts::ACTS[s.r.below(acts::ACTS.len())];

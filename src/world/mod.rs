@@ -8,6 +8,7 @@ mod islands;
 mod joint;
 mod publish;
 mod query;
+mod ragdoll;
 mod report;
 mod seed;
 mod step;
@@ -19,6 +20,7 @@ pub use def::{BodyDef, BodyType, Filter, MotionLocks, QueryFilter, ShapeDef, Sur
 pub use id::{BodyId, ContactId, IdPool, Identity, JointId, ShapeId};
 pub use joint::{JointDef, JointMut, JointRef};
 pub use query::ShapeHit;
+pub use ragdoll::{Human, HumanDef};
 pub use report::{Counters, Profile, StepReport};
 pub use seed::{
     ObjID, RigidBodyId, RigidBodyRef, RigidbodyBuilder, RigidbodyIter, StaticBodyId, StaticbodyBuilder,

@@ -339,6 +339,16 @@ pub const ACTS: &[Act] = &[
             }
         }
     }),
+    // Joints.
+    ("create joint", joints::create),
+    ("create another joint", joints::create),
+    ("and another joint", joints::create),
+    ("destroy joint", joints::destroy),
+    ("joints of body", joints::list),
+    ("joint events", joints::events),
+    ("set joint", joints::change),
+    ("set joint again", joints::change),
+    ("read joint", joints::read),
     // Queries.
     ("query", |s| {
         let (w, o, v, f, a) = (s.world(), s.r.pos(), s.r.vec(), s.r.filter(), s.r.aabb());

@@ -1,0 +1,165 @@
+//! Humans that fall: still at rest, whole in flight, within their limits, and asleep in the end.
+
+mod common;
+
+use common::Random;
+use merev::constraint::joint::JointKind;
+use merev::math::{quat_about, vec3};
+use merev::world::{BodyDef, Human, HumanDef, ShapeDef, WorldDef};
+use merev::{ErrorCode, Float, Pose, Shape, Vec3, World};
+
+const DT: Float = 1.0 / 60.0;
+
+fn world(gravity: Float) -> World {
+    World::try_new(&WorldDef { gravity: vec3(0.0, -gravity, 0.0), ..WorldDef::default() }).unwrap()
+}
+
+fn floor(w: &mut World) {
+    let ground = w.create_body(&BodyDef::fixed(vec3(0.0, -1.0, 0.0))).unwrap();
+    let slab = Shape::new_box(200.0, 2.0, 200.0);
+    w.create_shape(ground, &ShapeDef::default(), slab, Pose::IDENTITY).unwrap();
+}
+
+/// The worst error of anything a joint holds, limits included: \[m\] and \[rad\].
+fn errors(w: &World, human: &Human) -> (Float, Float) {
+    human.joints.iter().fold((0.0, 0.0), |(a, b): (Float, Float), &j| {
+        let joint = w.joint(j).unwrap();
+        (a.max(joint.linear_separation()), b.max(joint.angular_separation()))
+    })
+}
+
+#[test]
+fn at_rest_nothing_moves() {
+    for (bones, hertz) in [(11, 0.0), (14, 0.0), (11, 5.0), (14, 5.0)] {
+        let mut w = world(0.0);
+        let rotation = quat_about(vec3(0.6, 0.0, 0.8), 1.0);
+        let def = HumanDef { bones, spring_hertz: hertz, rotation, height: 1.6, ..HumanDef::default() };
+        let human = w.create_human(&def).unwrap();
+        assert_eq!((human.bodies.len(), human.joints.len()), (bones, bones - 1));
+        let (gap, angle) = errors(&w, &human);
+        assert!(gap < 1e-6 && angle < 1e-5, "{bones}: {gap} m, {angle} rad");
+        for _ in 0..60 {
+            w.try_step(DT, 4).unwrap();
+        }
+        // Rounding alone: f32 has 1e-7 of a metre, which errors of place turn into 1e-5 m/s.
+        let energy = w.step_report().kinetic_energy;
+        assert!(energy < 1e-7, "{bones} bones, {hertz} Hz: {energy} J");
+    }
+}
+
+#[test]
+fn the_mass_is_what_is_asked_for() {
+    for bones in [11, 14] {
+        let mut w = world(0.0);
+        let human = w.create_human(&HumanDef { bones, mass: 75.0, ..HumanDef::default() }).unwrap();
+        let mass: Float = human.bodies.iter().map(|&b| w.body(b).unwrap().mass()).sum();
+        assert!((mass - 75.0).abs() < 1e-3, "{mass}");
+        let human = w.create_human(&HumanDef { bones, ..HumanDef::default() }).unwrap();
+        let mass: Float = human.bodies.iter().map(|&b| w.body(b).unwrap().mass()).sum();
+        assert!((45.0..95.0).contains(&mass), "{mass} kg at the density of water");
+    }
+}
+
+#[test]
+fn in_flight_momentum_stays_and_limits_hold() {
+    let mut r = Random(5);
+    for bones in [11, 14] {
+        let mut w = world(0.0);
+        let def = HumanDef { bones, mass: 75.0, ..HumanDef::default() };
+        let human = w.create_human(&def).unwrap();
+        human.apply_impulse(&mut w, vec3(75.0, 0.0, 150.0)).unwrap();
+        for &b in &human.bodies {
+            let spin = vec3(r.within(-1.0, 1.0), r.within(-1.0, 1.0), r.within(-1.0, 1.0)) * 10.0;
+            w.body_mut(b).unwrap().set_angular_velocity(spin).unwrap();
+        }
+        let start = w.step_report();
+        let mut worst: (Float, Float) = (0.0, 0.0);
+        for _ in 0..300 {
+            w.try_step(DT, 4).unwrap();
+            let (gap, angle) = errors(&w, &human);
+            worst = (worst.0.max(gap), worst.1.max(angle));
+        }
+        let end = w.step_report();
+        let size = |v: [f64; 3]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let change = |a: [f64; 3], b: [f64; 3]| size([a[0] - b[0], a[1] - b[1], a[2] - b[2]]);
+        let p = change(start.linear_momentum, end.linear_momentum) / size(start.linear_momentum);
+        let l = change(start.angular_momentum, end.angular_momentum) / size(start.angular_momentum);
+        println!("{bones} bones: worst {worst:?}, momentum {p:.1e}, angular momentum {l:.1e}");
+        assert!(worst.0 < 0.02 && worst.1 < 0.15, "{bones} bones: {worst:?}");
+        assert!(p < 1e-5 && l < 1e-3, "{bones} bones: {p} and {l}");
+        assert!(end.kinetic_energy < start.kinetic_energy);
+    }
+}
+
+#[test]
+fn a_heap_falls_asleep() {
+    let mut w = world(10.0);
+    floor(&mut w);
+    let mut r = Random(7);
+    let humans: Vec<Human> = (0..20)
+        .map(|k| {
+            let def = HumanDef {
+                bones: if k % 2 == 0 { 11 } else { 14 },
+                position: vec3(r.within(-1.0, 1.0) * 0.5, 1.0 + 0.9 * k as Float, r.within(-1.0, 1.0) * 0.5),
+                rotation: quat_about(vec3(0.0, 0.6, 0.8), 3.0 * r.within(-1.0, 1.0)),
+                group_index: -(k + 1),
+                friction_torque: 3.0,
+                ..HumanDef::default()
+            };
+            w.create_human(&def).unwrap()
+        })
+        .collect();
+    let mut slept = None;
+    for step in 0..1200 {
+        w.try_step(DT, 4).unwrap();
+        if w.awake_bodies().len() == 0 {
+            slept = Some(step as Float * DT);
+            break;
+        }
+    }
+    let report = w.step_report();
+    println!("asleep after {slept:?} s; {report:?}");
+    assert_eq!(report.quarantined, 0);
+    assert!(slept.is_some(), "{} bodies are awake after 20 s", w.awake_bodies().len());
+    for human in &humans {
+        let (gap, angle) = errors(&w, human);
+        assert!(gap < 0.02 && angle < 0.2, "{gap} m, {angle} rad");
+        for &b in &human.bodies {
+            assert!(w.body(b).unwrap().world_center().y > 0.0);
+        }
+    }
+    // Gone without a trace.
+    humans.iter().for_each(|h| w.destroy_human(h));
+    assert_eq!((w.counters().bodies, w.joint_count()), (1, 0));
+}
+
+#[test]
+fn settings_reach_every_joint_and_nonsense_none() {
+    let mut w = world(0.0);
+    let human = w.create_human(&HumanDef::default()).unwrap();
+    human.set_friction(&mut w, 4.0).unwrap();
+    human.set_spring(&mut w, 3.0, 0.5).unwrap();
+    for &j in &human.joints {
+        let (spring, friction) = match w.joint(j).unwrap().kind() {
+            JointKind::Revolute(j) => (j.drive.spring, j.drive.friction),
+            JointKind::Spherical(j) => (j.spring, j.friction),
+            other => panic!("{other:?}"),
+        };
+        assert!(spring.enable && spring.hertz == 3.0 && spring.damping_ratio == 0.5 && friction == 4.0);
+    }
+    human.set_velocity(&mut w, Vec3::x()).unwrap();
+    assert_eq!(human.set_friction(&mut w, -1.0).unwrap_err().code(), ErrorCode::Range);
+    assert_eq!(human.set_spring(&mut w, Float::NAN, 1.0).unwrap_err().code(), ErrorCode::NotFinite);
+    for def in [
+        HumanDef { bones: 12, ..HumanDef::default() },
+        HumanDef { height: 0.0, ..HumanDef::default() },
+        HumanDef { density: -1.0, ..HumanDef::default() },
+        HumanDef { mass: -1.0, ..HumanDef::default() },
+        HumanDef { friction_torque: -1.0, ..HumanDef::default() },
+    ] {
+        assert_eq!(w.create_human(&def).unwrap_err().code(), ErrorCode::Range);
+    }
+    assert_eq!((w.counters().bodies, w.joint_count()), (11, 10));
+    w.destroy_body(human.bodies[3]).unwrap();
+    assert_eq!(human.set_friction(&mut w, 1.0).unwrap_err().code(), ErrorCode::Stale);
+}
