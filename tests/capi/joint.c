@@ -121,6 +121,7 @@ static void readings(mvWorldId world)
     CHECK(near(mvRevoluteJoint_GetAngle(joint), 15, (mvFloat)0.1));
     CHECK(near(mvRevoluteJoint_GetSpeed(joint), 5, (mvFloat)0.01));
     CHECK(near(mvJoint_GetConstraintForce(joint).y, weight, (mvFloat)0.01 * weight));
+    CHECK(mvIsValidVec3(mvJoint_GetConstraintTorque(joint)));
     WORKS(mvRevoluteJoint_SetMotorSpeed(joint, -5));
     mvWorld_Step(world, dt, 1);
     CHECK(mvRevoluteJoint_GetMotorTorque(joint) < 0);

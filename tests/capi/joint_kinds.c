@@ -141,6 +141,7 @@ static void sphericals(mvJointId j, mvJointId other)
     NUMBER(mvSphericalJoint, MaxSpringTorque, j, other);
     SWITCH(mvSphericalJoint, Motor, j, other);
     VECTOR(mvSphericalJoint, MotorVelocity, j, other);
+    CHECK(mvIsValidVec3(mvSphericalJoint_GetMotorTorque(j)));
     NUMBER(mvSphericalJoint, MaxMotorTorque, j, other);
     NUMBER(mvSphericalJoint, Friction, j, other);
 }
