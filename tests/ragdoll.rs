@@ -99,7 +99,8 @@ fn a_heap_falls_asleep() {
     // Four lie in each layer, so that none is inside another at the start.
     let humans: Vec<Human> = (0..20)
         .map(|k| {
-            let turn = quat_about(Vec3::y(), r.within(-3.0, 3.0)) * quat_about(Vec3::x(), 1.5707);
+            let turn = quat_about(Vec3::y(), r.within(-3.0, 3.0))
+                * quat_about(Vec3::x(), 0.5 * merev::math::scalar::PI);
             let cell = |on: bool| if on { 1.1 } else { -1.1 };
             let middle = vec3(cell(k % 2 == 0), 0.4 + 0.6 * (k / 4) as Float, cell(k % 4 < 2));
             let def = HumanDef {
