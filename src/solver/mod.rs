@@ -2,12 +2,12 @@
 //!
 //! | variant | idea | paper | cost | pick it when | fails |
 //! |---|---|---|---|---|---|
-//! | [`soft_step`] | sub-steps instead of iterations: soft contacts with a relax pass, load memory | Catto, "Solver2D" (2024); load memory is our own | two sweeps over the rows a sub-step | always, so far | very tall stacks and load ratios above 1000 settle slowly |
+//! | [`soft_step`] | sub-steps instead of iterations: soft contacts with a relax pass, load memory | Catto, "Solver2D" (2024); load memory is our own | two sweeps over the rows a sub-step | always | very tall stacks and load ratios above 1000 settle slowly |
 //! | [`sequential_impulse`] | the thesis's: repeat the impulse of a collision, which only pushes | the thesis, 7.2 and 4.3; Mirtich, Canny 1995 | one visit a point and iteration | to compare with the thesis | stacks sink and creep; separation forces add energy |
 //! | [`projected_gauss_seidel`] | accumulated impulses, their sum is clamped; warm start | Moreau, Jean 1992; Catto GDC09 | one visit a point and iteration | many small islands, fixed cost | converges slowly for tall stacks and mass ratios |
 //! | [`lemke`] | complementary pivoting, friction pyramid | Stewart, Trinkle 1996; Anitescu, Potra 1997 | n³ for n = K (2 + facets) | small scenes, exact to rounding | friction turns to the pyramid's corners; too large above 1000 rows |
 //! | [`dantzig`] | principal pivoting with bounds | Cottle, Dantzig 1968; Baraff 1994 | n³ for n = K (1 + facets/2), a few times | as above, no friction or little sliding | friction limits may not settle; too large above 800 rows |
-//! | [`proximal_admm`] | exact cone, De Saxcé's correction, splitting | Carpentier, Le Lidec, Montaut 2024 | n³/3 for n = 3 K a few times, n² an iteration | exact Coulomb friction | too large above 256 points; slow for coefficients in the thousands |
+//! | [`proximal_admm`] | exact cone, De Saxcé's correction, splitting | Carpentier, Le Lidec, Montaut 2024 | n³/3 for n = 3 K a few times, n² an iteration | exact Coulomb friction | mass ratios from 1e5; too large above 256 points; slow for coefficients in the thousands |
 //!
 //! The last three are *exact*: each solves all contacts of an island as one [`contact_problem`], in double precision.
 //! Islands that are too large for them, or that they leave unsolved, are swept by projected Gauss–Seidel, and counted.
@@ -35,7 +35,7 @@ use crate::body::BodyStore;
 use crate::constraint::{ContactStore, JointStore};
 use crate::integrate::IntegratorKind;
 use crate::island::IslandStore;
-use crate::math::{Float, Vec3};
+use crate::math::{Float, Vec3, scalar::PI};
 use bodies::Bodies;
 use points::Points;
 use rigid::Rigid;
@@ -195,6 +195,16 @@ impl Settings {
             integrator: self.integrator,
         }
     }
+}
+
+/// A spring of this frequency \[Hz\] and damping ratio as a soft constraint over a step h, integrated implicitly
+/// \[Catto GDC11\]: push-out rate, mass scale, impulse scale; and the greatest push-out speed as it is given.
+fn soft(hertz: Float, damping_ratio: Float, h: Float, push_out: Float) -> [Float; 4] {
+    let w = 2.0 * PI * hertz;
+    let a1 = 2.0 * damping_ratio + h * w;
+    let a2 = h * w * a1;
+    let a3 = 1.0 / (1.0 + a2);
+    [w / a1, a2 * a3, a3, push_out]
 }
 
 /// What solvers work with: it holds nothing that outlives a step but memory and the report.

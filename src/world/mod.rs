@@ -18,7 +18,7 @@ mod view;
 pub use collider::Collider;
 pub use def::{BodyDef, BodyType, Filter, MotionLocks, QueryFilter, ShapeDef, SurfaceMaterial, WorldDef};
 pub use id::{BodyId, ContactId, IdPool, Identity, JointId, ShapeId};
-pub use joint::{JointDef, JointMut, JointRef};
+pub use joint::JointDef;
 pub use query::ShapeHit;
 pub use ragdoll::{Human, HumanDef};
 pub use report::{Counters, Profile, StepReport};
@@ -26,7 +26,7 @@ pub use seed::{
     ObjID, RigidBodyId, RigidBodyRef, RigidbodyBuilder, RigidbodyIter, StaticBodyId, StaticbodyBuilder,
     StaticbodyIter, StaticbodyRef, WorldBuilder, WorldConfig, WorldPlan,
 };
-pub use view::{BodyMut, BodyRef, ColliderMut, ColliderRef, ContactData};
+pub use view::{BodyMut, BodyRef, ColliderMut, ColliderRef, ContactData, JointMut, JointRef};
 
 use crate::body::{BodyStore, MassProps, SetId};
 use crate::broad_phase::{BroadPhase, Layer, PairSet};

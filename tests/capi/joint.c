@@ -158,6 +158,7 @@ static void breaking(mvWorldId world)
         CHECK(!events.jointEvents[0].broke && near(events.jointEvents[0].force, weight, (mvFloat)0.02 * weight));
         CHECK(near(events.jointEvents[0].torque, 0, (mvFloat)0.01 * weight));
     }
+    CHECK(nearVec(mvJoint_GetConstraintTorque(joint), vec(0, 0, 0), (mvFloat)0.01 * weight));
     height = mvBody_GetPosition(b).y;
     CHECK(near(height, 8, (mvFloat)1e-3));
     mvJoint_SetBreakable(joint, true);

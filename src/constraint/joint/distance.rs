@@ -8,7 +8,7 @@
 use super::parts::{Limit, Motor, along};
 use super::{Geometry, Law, Rows};
 use crate::error::{Error, ErrorCode, Result, check};
-use crate::math::{Float, Vec3, length};
+use crate::math::{Float, length};
 
 /// Two points at a distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,10 +115,4 @@ impl DistanceJoint {
         };
         (self.enable_spring && self.motor.enable).then_some(before)
     }
-}
-
-/// The vector between the points as a length.
-#[must_use]
-pub fn current_length(d: Vec3) -> Float {
-    length(d)
 }

@@ -57,6 +57,16 @@ impl Joint {
         self.bodies.iter().copied().filter(|&b| b != NONE)
     }
 
+    /// Whether it ties islands together.
+    pub(crate) fn ties(&self) -> bool {
+        !matches!(self.kind, JointKind::Filter)
+    }
+
+    /// Whether it takes momentum from the world: one of its bodies is immovable, or a fixed point takes part.
+    pub(crate) fn holds_to_world(&self, immovable: impl Fn(u32) -> bool) -> bool {
+        matches!(self.kind, JointKind::Pulley(_)) || self.members().any(immovable)
+    }
+
     /// Forgets the impulses of the last step.
     pub fn clear_impulses(&mut self) {
         self.impulse = [0.0; MAX_ROWS];

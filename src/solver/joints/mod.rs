@@ -9,8 +9,9 @@
 //! energy of a frictionless linkage does not drift.
 //!
 //! Joints that hang together have their unbounded rows (hard rows and springs without a bound) solved at once, see
-//! [`Elimination`]; rows with bounds (limits, motors, friction) are solved one by one, before. Where a plan would
-//! cost too much (a cloth of joints), each joint's own rows are a block and blocks are solved one after another.
+//! [`direct`]; rows with bounds (limits, motors, friction) come after them, in turn with what they make the others do.
+//! Where a plan would cost too much (a cloth of joints), each joint's own rows are a block and blocks are solved one
+//! after another, softly; plain ball joints then go in lanes, see [`mesh`].
 //!
 //! Impulses of a row act on both bodies at one common point, so momentum and angular momentum stay.
 
@@ -18,6 +19,7 @@ mod ball;
 mod direct;
 mod elimination;
 mod groups;
+mod mesh;
 mod oscillator;
 mod row;
 
@@ -25,15 +27,15 @@ use crate::body::{BodyStore, NONE, SetId};
 use crate::constraint::joint::store::{coordinate, follow_turns};
 use crate::constraint::joint::{Angle, Geometry, JointKind, JointStore, Rows as Drafts};
 use crate::integrate::{Integrator, PrincipalAxes, with_integrator};
-use crate::math::scalar::PI;
 use crate::math::{Float, Quat, Vec3, length, rotate};
-use crate::simd::{Four, Lane, Quad};
+use crate::simd::Quad;
 use crate::solver::bodies::Bodies;
 use crate::solver::rows::{Rows, inertia_times};
-use crate::solver::{Settings, SubStep};
-use ball::{BallBlock, BallSeed};
+use crate::solver::{Settings, SubStep, soft};
+use ball::BallSeed;
 use direct::{Aim, Direct};
 use groups::Groups;
+use mesh::{Balls, BeginRelax, End, Forget, LookAhead, Solve, WarmStart};
 use row::{PUSH_SPEED, Pass, SolverRow};
 use std::ops::Range;
 
@@ -80,21 +82,6 @@ struct Component {
     damped: bool,
 }
 
-/// Ball joints of one colour: blocks of one width.
-#[derive(Clone, Debug)]
-struct Color {
-    wide: bool,
-    blocks: Range<usize>,
-}
-
-/// The ball joints of the meshes, one and four at a time.
-#[derive(Debug, Default)]
-struct Balls {
-    single: Vec<BallBlock<Float>>,
-    four: Vec<BallBlock<Four>>,
-    colors: Vec<Color>,
-}
-
 /// The joints of the step; nothing in it but how groups are solved outlives a step.
 #[derive(Debug, Default)]
 pub struct Workspace {
@@ -137,8 +124,7 @@ impl Workspace {
     pub fn byte_count(&self) -> usize {
         self.joints.capacity() * size_of::<Placed>()
             + self.rows.capacity() * size_of::<SolverRow>()
-            + self.balls.single.capacity() * size_of::<BallBlock<Float>>()
-            + self.balls.four.capacity() * size_of::<BallBlock<Four>>()
+            + self.balls.byte_count()
             + self.ahead.capacity() * size_of::<[Quad; 2]>()
             + self.direct.byte_count()
     }
@@ -192,8 +178,7 @@ impl Workspace {
 
     /// After the last batch.
     pub fn end(&mut self, bodies: &Bodies) {
-        let balls = self.balls.single.len() + self.balls.four.len();
-        self.joint_count = self.joints.len() + balls;
+        self.joint_count = self.joints.len() + self.balls.joint_count();
         self.ahead.clear();
         self.load.clear();
         if self.joint_count > 0 {
@@ -258,7 +243,7 @@ impl Workspace {
             }
             self.joints[place].rows = first..self.rows.len();
         }
-        let first_color = self.balls.colors.len();
+        let first_color = self.balls.color_count();
         for color in 0..self.groups.list[group].balls.len() {
             self.seeds.clear();
             for &index in &self.groups.list[group].balls[color] {
@@ -296,7 +281,7 @@ impl Workspace {
             joints: start..self.joints.len(),
             group,
             planned,
-            colors: first_color..self.balls.colors.len(),
+            colors: first_color..self.balls.color_count(),
             members: first_member..first_member + kept,
             damped: false,
         });
@@ -398,7 +383,7 @@ impl Workspace {
     /// The first pass.
     pub fn solve(&mut self, batch: usize, bodies: &mut Bodies, joints: &JointStore, sub: &SubStep) {
         let lag = with_integrator!(sub.integrator, I => I::LAG * sub.h);
-        let soft = soft_mesh(sub.h);
+        let soft = soft(MESH[0] / sub.h, MESH[1], sub.h, PUSH_SPEED);
         for c in self.batches[batch].clone() {
             self.note_velocities(c, &bodies.rows);
             let Component { joints: places, planned, colors, .. } = self.components[c].clone();
@@ -590,15 +575,6 @@ fn rows_of(list: &[Placed]) -> Range<usize> {
 /// Stiffness of the joints of a mesh, as a share of the sub-step rate, and their damping ratio.
 const MESH: [Float; 2] = [0.25, 2.0];
 
-/// Push-out rate \[1/s\], mass scale and impulse scale of a mesh's joints over the sub-step `h`.
-fn soft_mesh(h: Float) -> [Float; 3] {
-    let w = 2.0 * PI * MESH[0] / h;
-    let a1 = 2.0 * MESH[1] + h * w;
-    let a2 = h * w * a1;
-    let a3 = 1.0 / (1.0 + a2);
-    [w / a1, a2 * a3, a3]
-}
-
 /// Errors that a sub-step is to lessen by less than this \[m, rad\] are what is left of rounding and of motion.
 const STUBBORN: Float = 1e-4;
 
@@ -618,103 +594,5 @@ impl Placed {
             origin_a: self.origin_a + xa + (arm[0] - self.arm[0]),
             turns: self.turns,
         }
-    }
-}
-
-/// What is done to every block of ball joints.
-trait OnBall {
-    fn run<L: Lane>(&self, block: &mut BallBlock<L>, rows: &mut Rows);
-}
-
-struct Forget;
-struct WarmStart;
-struct LookAhead<'a> {
-    ahead: &'a [[Quad; 2]],
-    rate: Float,
-    sub: &'a SubStep,
-}
-struct Solve {
-    share: Float,
-    leak: Float,
-}
-struct BeginRelax;
-struct End;
-
-impl OnBall for Forget {
-    fn run<L: Lane>(&self, block: &mut BallBlock<L>, _: &mut Rows) {
-        block.lambda = crate::simd::V3::zero();
-    }
-}
-impl OnBall for WarmStart {
-    fn run<L: Lane>(&self, block: &mut BallBlock<L>, rows: &mut Rows) {
-        block.warm_start(rows);
-    }
-}
-impl OnBall for LookAhead<'_> {
-    fn run<L: Lane>(&self, block: &mut BallBlock<L>, rows: &mut Rows) {
-        block.look_ahead(rows, self.ahead, self.rate, PUSH_SPEED, self.sub);
-    }
-}
-impl OnBall for Solve {
-    fn run<L: Lane>(&self, block: &mut BallBlock<L>, rows: &mut Rows) {
-        block.solve(rows, self.share, self.leak);
-    }
-}
-impl OnBall for BeginRelax {
-    fn run<L: Lane>(&self, block: &mut BallBlock<L>, rows: &mut Rows) {
-        block.begin_relax(rows);
-    }
-}
-impl OnBall for End {
-    fn run<L: Lane>(&self, block: &mut BallBlock<L>, _: &mut Rows) {
-        block.end();
-    }
-}
-
-impl Balls {
-    fn clear(&mut self) {
-        self.single.clear();
-        self.four.clear();
-        self.colors.clear();
-    }
-
-    /// Appends the joints of one colour.
-    fn push(&mut self, seeds: &[BallSeed], wide: bool, rows: &Rows) {
-        let blocks = if wide {
-            let start = self.four.len();
-            self.four.extend(seeds.chunks(Four::N).map(|s| BallBlock::new(s, rows)));
-            start..self.four.len()
-        } else {
-            let start = self.single.len();
-            self.single.extend(seeds.chunks(1).map(|s| BallBlock::new(s, rows)));
-            start..self.single.len()
-        };
-        self.colors.push(Color { wide, blocks });
-    }
-
-    fn each(&mut self, colors: Range<usize>, rows: &mut Rows, act: impl OnBall) {
-        for color in &self.colors[colors] {
-            if color.wide {
-                self.four[color.blocks.clone()].iter_mut().for_each(|block| act.run(block, rows));
-            } else {
-                self.single[color.blocks.clone()].iter_mut().for_each(|block| act.run(block, rows));
-            }
-        }
-    }
-
-    fn store(&self, joints: &mut JointStore, dt: Float) {
-        fn store<L: Lane>(block: &BallBlock<L>, joints: &mut JointStore, dt: Float) {
-            for (lane, &source) in block.source.as_ref().iter().enumerate() {
-                if source != NONE {
-                    let joint = &mut joints.joints[source as usize];
-                    let lambda = block.lambda.get(lane);
-                    joint.impulse[..3].copy_from_slice(lambda.as_slice());
-                    (joint.total, joint.total_angular) = (block.total.get(lane), Vec3::zeros());
-                    joint.total_dt = dt;
-                }
-            }
-        }
-        self.four.iter().for_each(|block| store(block, joints, dt));
-        self.single.iter().for_each(|block| store(block, joints, dt));
     }
 }

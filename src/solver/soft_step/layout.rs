@@ -2,7 +2,6 @@
 
 use super::kinds::{KINDS, Kind, KindTable, Placed, kind_of};
 use super::preload::Preload;
-use super::soft;
 use crate::body::{BodyStore, NONE};
 use crate::constraint::{ContactStore, JointStore, contact::flags};
 use crate::island::IslandStore;
@@ -12,6 +11,7 @@ use crate::solver::Settings;
 use crate::solver::bodies::{Bodies, center, island_of};
 use crate::solver::joints;
 use crate::solver::rows::Rows;
+use crate::solver::soft;
 use std::ops::Range;
 
 /// Impulses of loads grow with the sub-step, those of impacts and push-out do not: after a far shorter step, such as

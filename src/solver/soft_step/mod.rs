@@ -16,17 +16,6 @@ use super::bodies::Bodies;
 use super::{Settings, SubStep, joints};
 use crate::body::BodyStore;
 use crate::constraint::{ContactStore, JointStore};
-use crate::math::{Float, scalar::PI};
-
-/// A spring of this frequency \[Hz\] and damping ratio as a soft constraint over a step h, integrated implicitly
-/// \[Catto GDC11\]: push-out rate, mass scale, impulse scale; and the greatest push-out speed as it is given.
-fn soft(hertz: Float, damping_ratio: Float, h: Float, push_out: Float) -> [Float; 4] {
-    let w = 2.0 * PI * hertz;
-    let a1 = 2.0 * damping_ratio + h * w;
-    let a2 = h * w * a1;
-    let a3 = 1.0 / (1.0 + a2);
-    [w / a1, a2 * a3, a3, push_out]
-}
 
 /// Takes every batch through its sub-steps: velocities and moves are left in `rows`, impulses in the contacts.
 pub fn solve(

@@ -2,7 +2,10 @@
 
 mod body_mut;
 mod body_ref;
+mod joint;
 mod shape;
+
+pub use joint::{JointMut, JointRef};
 
 use super::{BodyDef, BodyId, BodyType, ContactId, ShapeId, World};
 use crate::body::SetId;
