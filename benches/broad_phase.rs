@@ -2,14 +2,32 @@
 //! half their size a step.
 
 use divan::{Bencher, black_box};
-use merev::broad_phase::{BroadPhase, DynamicBvh, Layer, PairSet};
+use merev::broad_phase::{BroadPhase, BroadPhaseKind, Layer, PairSet};
 use merev::{Aabb, Float, Vec3, math::scalar, math::vec3};
+use std::fmt;
 
 fn main() {
     divan::main();
 }
 
-const COUNTS: [u32; 3] = [1_000, 10_000, 100_000];
+/// A dynamic tree, and how many boxes are in it.
+#[derive(Clone, Copy)]
+struct Case(BroadPhaseKind, u32);
+
+impl fmt::Display for Case {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{} {}", self.0.name(), self.1)
+    }
+}
+
+const CASES: [Case; 6] = [
+    Case(BroadPhaseKind::DynamicBvh, 1_000),
+    Case(BroadPhaseKind::DynamicRTree, 1_000),
+    Case(BroadPhaseKind::DynamicBvh, 10_000),
+    Case(BroadPhaseKind::DynamicRTree, 10_000),
+    Case(BroadPhaseKind::DynamicBvh, 100_000),
+    Case(BroadPhaseKind::DynamicRTree, 100_000),
+];
 
 /// splitmix64
 struct Random(u64);
@@ -32,7 +50,7 @@ impl Random {
 
 struct Scene {
     boxes: Vec<Aabb>,
-    bvh: DynamicBvh,
+    tree: Box<dyn BroadPhase>,
     /// Every tenth proxy.
     moved: Vec<u32>,
     pairs: Vec<[u32; 2]>,
@@ -40,17 +58,17 @@ struct Scene {
 }
 
 impl Scene {
-    fn new(count: u32, rest: Layer) -> Self {
+    fn new(Case(kind, count): Case, rest: Layer) -> Self {
         let mut random = Random(1);
         let side = scalar::cbrt(8.0 * count as Float);
         let half = vec3(0.5, 0.5, 0.5);
         let boxes: Vec<_> = (0..count).map(|_| Aabb::around(random.vec() * (0.5 * side), half)).collect();
-        let mut bvh = DynamicBvh::new();
+        let mut tree = kind.build();
         for (i, b) in (0u32..).zip(&boxes) {
-            bvh.insert(i, b, if i % 10 == 0 { Layer::Moving } else { rest });
+            tree.insert(i, b, if i % 10 == 0 { Layer::Moving } else { rest });
         }
         let mut scene =
-            Self { boxes, bvh, moved: (0..count).step_by(10).collect(), pairs: Vec::new(), random };
+            Self { boxes, tree, moved: (0..count).step_by(10).collect(), pairs: Vec::new(), random };
         // Long enough for the tree to age.
         (0..100).for_each(|_| scene.step());
         scene
@@ -61,59 +79,59 @@ impl Scene {
             let b = &mut self.boxes[i as usize];
             let d = self.random.vec() * 0.5;
             *b = Aabb { lower: b.lower + d, upper: b.upper + d };
-            self.bvh.update(i, b);
+            self.tree.update(i, b);
         }
     }
 
     fn step(&mut self) {
         self.shift();
-        self.bvh.find_pairs(&self.moved, &mut self.pairs);
+        self.tree.find_pairs(&self.moved, &mut self.pairs);
     }
 }
 
 /// Updates and pairs, everything in the moving tree.
-#[divan::bench(args = COUNTS, max_time = 3)]
-fn step_all_moving(bencher: Bencher, count: u32) {
-    let mut scene = Scene::new(count, Layer::Moving);
+#[divan::bench(args = CASES, max_time = 3)]
+fn step_all_moving(bencher: Bencher, case: Case) {
+    let mut scene = Scene::new(case, Layer::Moving);
     bencher.bench_local(|| scene.step());
 }
 
 /// Updates and pairs, nine tenths in the static tree.
-#[divan::bench(args = COUNTS, max_time = 3)]
-fn step_rest_static(bencher: Bencher, count: u32) {
-    let mut scene = Scene::new(count, Layer::Static);
+#[divan::bench(args = CASES, max_time = 3)]
+fn step_rest_static(bencher: Bencher, case: Case) {
+    let mut scene = Scene::new(case, Layer::Static);
     bencher.bench_local(|| scene.step());
 }
 
 /// Updates alone.
-#[divan::bench(args = COUNTS, max_time = 3)]
-fn update_all_moving(bencher: Bencher, count: u32) {
-    let mut scene = Scene::new(count, Layer::Moving);
+#[divan::bench(args = CASES, max_time = 3)]
+fn update_all_moving(bencher: Bencher, case: Case) {
+    let mut scene = Scene::new(case, Layer::Moving);
     bencher.bench_local(|| scene.shift());
 }
 
 /// Pairs alone, of trees that did not change.
-#[divan::bench(args = COUNTS, max_time = 3)]
-fn pairs_all_moving(bencher: Bencher, count: u32) {
-    let mut scene = Scene::new(count, Layer::Moving);
-    bencher.bench_local(|| scene.bvh.find_pairs(&scene.moved, &mut scene.pairs));
+#[divan::bench(args = CASES, max_time = 3)]
+fn pairs_all_moving(bencher: Bencher, case: Case) {
+    let mut scene = Scene::new(case, Layer::Moving);
+    bencher.bench_local(|| scene.tree.find_pairs(&scene.moved, &mut scene.pairs));
 }
 
 /// Pairs of a single moved proxy.
-#[divan::bench(args = COUNTS, max_time = 3)]
-fn pairs_of_one(bencher: Bencher, count: u32) {
-    let mut scene = Scene::new(count, Layer::Moving);
-    bencher.bench_local(|| scene.bvh.find_pairs(&scene.moved[7..8], &mut scene.pairs));
+#[divan::bench(args = CASES, max_time = 3)]
+fn pairs_of_one(bencher: Bencher, case: Case) {
+    let mut scene = Scene::new(case, Layer::Moving);
+    bencher.bench_local(|| scene.tree.find_pairs(&scene.moved[7..8], &mut scene.pairs));
 }
 
 /// One box query the size of a box, by all proxies in turn.
-#[divan::bench(args = COUNTS, max_time = 3)]
-fn query(bencher: Bencher, count: u32) {
-    let scene = Scene::new(count, Layer::Moving);
+#[divan::bench(args = CASES, max_time = 3)]
+fn query(bencher: Bencher, case: Case) {
+    let scene = Scene::new(case, Layer::Moving);
     let mut next = scene.boxes.iter().cycle();
     bencher.bench_local(|| {
         let mut found = 0;
-        scene.bvh.query(next.next().unwrap(), &mut |proxy| {
+        scene.tree.query(next.next().unwrap(), &mut |proxy| {
             found += proxy;
             true
         });
@@ -122,15 +140,15 @@ fn query(bencher: Bencher, count: u32) {
 }
 
 /// A ray through the whole cube, to the nearest box.
-#[divan::bench(args = COUNTS, max_time = 3)]
-fn ray_to_nearest(bencher: Bencher, count: u32) {
-    let mut scene = Scene::new(count, Layer::Moving);
-    let side = scalar::cbrt(8.0 * count as Float);
-    let Scene { bvh, random, .. } = &mut scene;
+#[divan::bench(args = CASES, max_time = 3)]
+fn ray_to_nearest(bencher: Bencher, case: Case) {
+    let mut scene = Scene::new(case, Layer::Moving);
+    let side = scalar::cbrt(8.0 * case.1 as Float);
+    let Scene { tree, random, .. } = &mut scene;
     bencher.bench_local(|| {
         let (from, to) = (random.vec() * side, random.vec() * (0.5 * side));
         let mut last = 0;
-        bvh.cast(Vec3::zeros(), from, to - from, 1.0, &mut |proxy, max| {
+        tree.cast(Vec3::zeros(), from, to - from, 1.0, &mut |proxy, max| {
             last = proxy;
             // A stand-in for the shape's own test.
             max * 0.9
@@ -140,20 +158,20 @@ fn ray_to_nearest(bencher: Bencher, count: u32) {
 }
 
 /// Arranging all boxes in the static tree anew.
-#[divan::bench(args = COUNTS, max_time = 3)]
-fn rebuild_static(bencher: Bencher, count: u32) {
-    let mut scene = Scene::new(count, Layer::Static);
-    bencher.bench_local(|| scene.bvh.rebuild_static());
+#[divan::bench(args = CASES, max_time = 3)]
+fn rebuild_static(bencher: Bencher, case: Case) {
+    let mut scene = Scene::new(case, Layer::Static);
+    bencher.bench_local(|| scene.tree.rebuild_static());
 }
 
 /// Inserting all boxes one by one.
-#[divan::bench(args = COUNTS, max_time = 3)]
-fn insert_all(bencher: Bencher, count: u32) {
-    let scene = Scene::new(count, Layer::Moving);
+#[divan::bench(args = CASES, max_time = 3)]
+fn insert_all(bencher: Bencher, case: Case) {
+    let scene = Scene::new(case, Layer::Moving);
     bencher.bench_local(|| {
-        let mut bvh = DynamicBvh::new();
-        (0u32..).zip(&scene.boxes).for_each(|(i, b)| bvh.insert(i, b, Layer::Moving));
-        bvh
+        let mut tree = case.0.build();
+        (0u32..).zip(&scene.boxes).for_each(|(i, b)| tree.insert(i, b, Layer::Moving));
+        tree
     });
 }
 
@@ -172,9 +190,9 @@ fn pair_set_get(bencher: Bencher) {
 }
 
 /// Pairs when everything moved.
-#[divan::bench(args = COUNTS, max_time = 3)]
-fn pairs_of_all(bencher: Bencher, count: u32) {
-    let mut scene = Scene::new(count, Layer::Moving);
-    let all: Vec<u32> = (0..count).collect();
-    bencher.bench_local(|| scene.bvh.find_pairs(&all, &mut scene.pairs));
+#[divan::bench(args = CASES, max_time = 3)]
+fn pairs_of_all(bencher: Bencher, case: Case) {
+    let mut scene = Scene::new(case, Layer::Moving);
+    let all: Vec<u32> = (0..case.1).collect();
+    bencher.bench_local(|| scene.tree.find_pairs(&all, &mut scene.pairs));
 }

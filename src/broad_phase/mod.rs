@@ -7,8 +7,8 @@
 //! | variant | idea | from | cost of a step | when | where it fails |
 //! |---|---|---|---|---|---|
 //! | `brute_force` | every moved box against every box | – | moved × all | oracle of the tests; a few dozen boxes | quadratic |
-//! | `dynamic_bvh` | two binary trees of boxes, static and moving, patched where boxes move | \[Catto GDC19\], \[Bittner 2013\], \[Wald 2007\] | (moved + pairs) × log all | default | boxes that all contain each other make it deep |
-//! | `dynamic_rtree` | two packed wide trees, patched where boxes move | \[Guttman 1984\], \[Lee, Lee 2003\] | (moved + pairs) × log all | thousands of boxes, a part of which moves | insertion one by one is slow |
+//! | `dynamic_bvh` | two binary trees of boxes, static and moving, patched where boxes move | \[Catto GDC19\], \[Bittner 2013\], \[Wald 2007\] | (moved + pairs) × log all | many insertions and removals | boxes that all contain each other make it deep |
+//! | `dynamic_rtree` | two packed wide trees, patched where boxes move | \[Guttman 1984\], \[Lee, Lee 2003\] | (moved + pairs) × log all | default | everything moves far in every step: `omt` is as good |
 //! | `sort_and_sweep` | one list, sorted along the axis of greatest spread | \[Baraff 1992\] | all × window | everything moves; long scenes | boxes in a plane across the axis |
 //! | `sort_and_sweep_3` | three sorted lists, overlaps intersected | \[Cohen et al. 1995\] | all × window × 3 | for comparison | large scenes |
 //! | `rtree` | wide tree, least growth of volume, quadratic split | \[Guttman 1984\] | (moved + pairs) × log all | for comparison | nodes overlap |
@@ -56,7 +56,7 @@ pub use pair_set::PairSet;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[repr(i32)]
 pub enum BroadPhaseKind {
-    /// The engine chooses: today [`BroadPhaseKind::DynamicBvh`].
+    /// The engine chooses: today [`BroadPhaseKind::DynamicRTree`].
     #[default]
     Auto = 0,
     /// [`BruteForce`].
@@ -148,7 +148,7 @@ impl BroadPhaseKind {
     pub fn build(self) -> Box<dyn BroadPhase> {
         match self {
             BroadPhaseKind::BruteForce => Box::new(BruteForce::new()),
-            BroadPhaseKind::Auto | BroadPhaseKind::DynamicBvh => Box::new(DynamicBvh::new()),
+            BroadPhaseKind::DynamicBvh => Box::new(DynamicBvh::new()),
             BroadPhaseKind::SortAndSweep => Box::new(sort_and_sweep::SortAndSweep::default()),
             BroadPhaseKind::SortAndSweep3 => Box::new(sort_and_sweep_3::SortAndSweep3::default()),
             BroadPhaseKind::RTree => Box::new(rtree::RTree::default()),
@@ -162,7 +162,9 @@ impl BroadPhaseKind {
             BroadPhaseKind::RStarSplit => Box::new(Split::<node::Grown<rstar::Margins>>::default()),
             BroadPhaseKind::StrSplit => Box::new(Split::<node::Packed<str_packing::Tiles>>::default()),
             BroadPhaseKind::OmtSplit => Box::new(Split::<node::Packed<omt::Cuts>>::default()),
-            BroadPhaseKind::DynamicRTree => Box::new(Split::<node::Grown<Patched>>::default()),
+            BroadPhaseKind::Auto | BroadPhaseKind::DynamicRTree => {
+                Box::new(Split::<node::Grown<Patched>>::default())
+            }
         }
     }
 }

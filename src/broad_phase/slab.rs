@@ -1,4 +1,5 @@
 use crate::math::{Aabb, Float, Vec3, abs, tolerance::EPSILON};
+use crate::simd::{Four, Lane, Quad};
 
 /// A box (or a point) swept along a translation, ready to be tested against many boxes.
 ///
@@ -67,12 +68,62 @@ impl Sweep {
         }
         (enter <= leave + leave.abs() * (4.0 * EPSILON)).then(|| enter.min(max_fraction))
     }
+
+    /// [`entry`](Self::entry) of four boxes given by the columns of their corners: bit `i` is set where box `i` is
+    /// touched, and its fraction stands beside. Boxes that hold nothing may count as touched.
+    #[inline(always)]
+    pub fn entries(&self, lower: [&Quad; 3], upper: [&Quad; 3], max_fraction: Float) -> (u32, Quad) {
+        let (mut enter, mut leave) = (Four::splat(0.0), Four::splat(max_fraction));
+        let mut missed = Four::splat(-1.0);
+        for k in 0..3 {
+            let (half, origin) = (Four::splat(self.half[k]), Four::splat(self.origin[k]));
+            let lower = Four::from_array(*lower[k]) - half - origin;
+            let upper = Four::from_array(*upper[k]) + half - origin;
+            if self.inv[k] != 0.0 {
+                let inv = Four::splat(self.inv[k]);
+                let (t0, t1) = (lower * inv, upper * inv);
+                enter = enter.max(t0.min(t1));
+                leave = leave.min(t0.max(t1));
+            } else {
+                // One of them is above 0.
+                missed = missed.max(lower).max(-upper);
+            }
+        }
+        let slack = leave + leave.max(-leave) * Four::splat(4.0 * EPSILON);
+        let (late, missed) = (enter.to_array(), missed.to_array());
+        let slack = slack.to_array();
+        let hits =
+            (0..4).fold(0, |bits, i| bits | u32::from((late[i] <= slack[i]) & (missed[i] <= 0.0)) << i);
+        (hits, enter.min(Four::splat(max_fraction)).to_array())
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::broad_phase::random::Random;
     use crate::math::vec3;
+
+    #[test]
+    fn four_boxes_at_once_are_entered_like_one() {
+        let mut random = Random::new(5);
+        let mut number = |size: Float| (random.below(2001) as Float - 1000.0) * (size / 1000.0);
+        for round in 0..20_000 {
+            let still = [0, 1, 2].map(|k| if round >> k & 1 == 1 { 0.0 } else { 1.0 });
+            let mut corner = |size: Float| vec3(number(size), number(size), number(size));
+            let boxes: [Aabb; 4] = std::array::from_fn(|_| Aabb::around(corner(4.0), abs(corner(2.0))));
+            let way = corner(8.0).component_mul(&Vec3::from(still));
+            let sweep = Sweep::new(abs(corner(0.5)), corner(4.0), way, 1.0);
+            let max = if round % 3 == 0 { 0.4 } else { 1.0 };
+            let lower = [0, 1, 2].map(|k| boxes.map(|b| b.lower[k]));
+            let upper = [0, 1, 2].map(|k| boxes.map(|b| b.upper[k]));
+            let (hits, enter) = sweep.entries(lower.each_ref(), upper.each_ref(), max);
+            for i in 0..4 {
+                let four = (hits >> i & 1 == 1).then_some(enter[i]);
+                assert_eq!(four, sweep.entry(&boxes[i], max), "{sweep:?} {:?}", boxes[i]);
+            }
+        }
+    }
 
     #[test]
     fn a_ray_on_a_face_touches() {

@@ -12,6 +12,7 @@ mod walk;
 pub(super) use pack::{Builder, Item, Packed, Packing, cut, top_level};
 pub(super) use patch::{Entry, Grown, Growth, LEAST, Repacked};
 
+use super::slab::Sweep;
 use crate::math::{Aabb, Float, vec3};
 use crate::simd::{BoxProbe, Quad};
 
@@ -122,6 +123,16 @@ impl Node {
         (0..QUADS.min(quads)).fold(0, |bits, q| {
             bits | probe.hits([&l[0][q], &l[1][q], &l[2][q]], [&u[0][q], &u[1][q], &u[2][q]]) << (4 * q)
         })
+    }
+
+    /// The children of a quad that a sweep meets, a bit each, and where on its way.
+    #[inline(always)]
+    fn entries(&self, quad: usize, sweep: &Sweep, max: Float) -> (u32, Quad) {
+        let (l, u) = (&self.lower, &self.upper);
+        let (hits, enter) =
+            sweep.entries([0, 1, 2].map(|k| &l[k][quad]), [0, 1, 2].map(|k| &u[k][quad]), max);
+        let used = self.len as usize - 4 * quad;
+        (if used < 4 { hits & ((1 << used) - 1) } else { hits }, enter)
     }
 }
 

@@ -43,12 +43,13 @@ impl Nodes {
         let node = self.node(at);
         let mut met = [(0.0 as Float, 0u32); FAN];
         let mut count = 0;
-        for slot in 0..node.len() {
-            if let Some(enter) = sweep.entry(&node.aabb(slot), max) {
+        for first in (0..node.len()).step_by(4) {
+            let (hits, enter) = node.entries(first / 4, sweep, max);
+            for i in bits(hits) {
                 // By insertion: there are few, and equals stay in the order of the slots.
-                let place = met[..count].iter().rposition(|m| m.0 <= enter).map_or(0, |p| p + 1);
+                let place = met[..count].iter().rposition(|m| m.0 <= enter[i]).map_or(0, |p| p + 1);
                 met.copy_within(place..count, place + 1);
-                met[place] = (enter, node.children[slot]);
+                met[place] = (enter[i], node.children[first + i]);
                 count += 1;
             }
         }
