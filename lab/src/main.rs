@@ -11,6 +11,8 @@ mod records;
 mod replay;
 mod scene;
 mod scenes;
+#[allow(dead_code, reason = "until the commands are there")]
+mod show;
 mod table;
 mod tour;
 
