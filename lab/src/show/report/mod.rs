@@ -101,4 +101,6 @@ fn race_part(data: &Data) -> String {
 }
 
 #[cfg(test)]
+mod browser_test;
+#[cfg(test)]
 mod tests;

@@ -4,7 +4,7 @@ use crate::show::samples::{run, scene};
 use crate::show::settings::settings;
 
 /// Records of three scenes, with whatever may go wrong in them.
-fn sample() -> Data {
+pub fn sample() -> Data {
     let mut runs = Vec::new();
     for (k, name) in ["a1", "b2 <x>", "c3"].iter().enumerate() {
         for (engine, factor) in [("merev", 1.0), ("box3d", 3.0), ("newton", 0.5)] {
