@@ -65,6 +65,9 @@ enum Command {
         /// The directory with the records.
         #[arg(long, default_value = "target/lab")]
         out: PathBuf,
+        /// Draw the chart and the tables of the README instead, into this folder of documents.
+        #[arg(long)]
+        readme: Option<PathBuf>,
     },
     /// Say what got better or worse since the baseline.
     Compare {
@@ -129,7 +132,8 @@ fn run(arguments: Arguments) -> Result<String, String> {
             }
             Ok(report)
         }
-        Some(Command::Report { out }) => {
+        Some(Command::Report { out, readme: Some(documents) }) => show::readme::write(&out, &documents),
+        Some(Command::Report { out, readme: None }) => {
             show::charts(&out)?;
             show::stability(&out)?;
             show::race(&out)?;

@@ -7,7 +7,7 @@ use super::settings::distinct;
 use super::svg::{Anchor, FAINT, GRID, INK, Svg};
 use crate::records::Attribution;
 
-const WIDTH: f64 = 520.0;
+const WIDTH: f64 = 440.0;
 const LEFT: f64 = 130.0;
 const RIGHT: f64 = 62.0;
 const ROW: f64 = 17.0;
@@ -41,20 +41,20 @@ pub fn draw(scene: &str, rows: &[Attribution], titled: bool) -> Option<Svg> {
     for tick in axis.ticks() {
         let x = axis.pixel(tick);
         svg.line([x, top, x, bottom], GRID, 1.0, "", "grid");
-        svg.text(x, bottom + 15.0, Anchor::Middle, 11.0, FAINT, &label(tick));
+        svg.text(x, bottom + 15.0, Anchor::Middle, 12.5, FAINT, &label(tick));
     }
-    svg.text((LEFT + WIDTH - RIGHT) / 2.0, bottom + 31.0, Anchor::Middle, 12.0, INK, "error that remains");
+    svg.text((LEFT + WIDTH - RIGHT) / 2.0, bottom + 31.0, Anchor::Middle, 13.0, INK, "error that remains");
     let mut y = top;
     for engine in &engines {
         let look = look(engine);
-        svg.text(8.0, y + 15.0, Anchor::Start, 12.0, INK, &palette::title(engine));
+        svg.text(8.0, y + 15.0, Anchor::Start, 13.0, INK, &palette::title(engine));
         y += 22.0;
         let mut bars: Vec<&&Attribution> = own.iter().filter(|r| r.engine == *engine).collect();
         let place = |r: &Attribution| SOURCES.iter().position(|s| s.0 == r.source).unwrap_or(SOURCES.len());
         bars.sort_by_key(|r| place(r));
         for row in bars {
             let name = SOURCES.iter().find(|s| s.0 == row.source).map_or(row.source.as_str(), |s| s.1);
-            svg.text(LEFT - 8.0, y + 10.0, Anchor::End, 11.0, INK, name);
+            svg.text(LEFT - 8.0, y + 10.0, Anchor::End, 12.0, INK, name);
             let x = axis.pixel(row.error.max(1e-12));
             let total = row.source == "total";
             svg.path(
@@ -66,7 +66,7 @@ pub fn draw(scene: &str, rows: &[Attribution], titled: bool) -> Option<Svg> {
                     if total { "1" } else { "0.55" }
                 ),
             );
-            svg.text(x + 5.0, y + 10.0, Anchor::Start, 10.5, INK, &short(row.error));
+            svg.text(x + 5.0, y + 10.0, Anchor::Start, 12.0, INK, &short(row.error));
             y += ROW;
         }
     }

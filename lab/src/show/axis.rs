@@ -100,16 +100,16 @@ pub fn frame(svg: &mut Svg, area: [f64; 4], x: &[(f64, String)], y: &[(f64, Stri
     let bottom = top + height;
     for (px, text) in x {
         svg.line([*px, top, *px, bottom], GRID, 1.0, "", "grid");
-        svg.text(*px, bottom + 15.0, Anchor::Middle, 11.0, FAINT, text);
+        svg.text(*px, bottom + 16.0, Anchor::Middle, 12.5, FAINT, text);
     }
     for (py, text) in y {
         svg.line([left, *py, left + width, *py], GRID, 1.0, "", "grid");
-        svg.text(left - 6.0, py + 4.0, Anchor::End, 11.0, FAINT, text);
+        svg.text(left - 6.0, py + 4.0, Anchor::End, 12.5, FAINT, text);
     }
     svg.line([left, bottom, left + width, bottom], FAINT, 1.0, "", "axis");
     svg.line([left, top, left, bottom], FAINT, 1.0, "", "axis");
-    svg.text(left + width / 2.0, bottom + 32.0, Anchor::Middle, 12.0, INK, names[0]);
-    svg.upright_text(13.0, top + height / 2.0, 12.0, names[1]);
+    svg.text(left + width / 2.0, bottom + 34.0, Anchor::Middle, 13.0, INK, names[0]);
+    svg.upright_text(14.0, top + height / 2.0, 13.0, names[1]);
 }
 
 #[cfg(test)]

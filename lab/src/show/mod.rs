@@ -13,6 +13,7 @@
 //! | race_chart | times, and what came of them |
 //! | verdict | where merev wins and where it loses |
 //! | report | all of it as one page |
+//! | readme | the chart and the tables of the README |
 
 mod attribution;
 mod axis;
@@ -25,6 +26,7 @@ pub mod pareto;
 mod png;
 mod profile;
 mod race_chart;
+pub mod readme;
 mod report;
 #[cfg(test)]
 pub mod samples;

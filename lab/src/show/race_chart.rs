@@ -84,7 +84,9 @@ pub fn html(records: &[Race]) -> String {
             out += &format!("<td>{median}</td><td>{minimum}</td><td>{ratio}</td>");
             for (at, (_, size, text)) in qualities(row).into_iter().enumerate() {
                 let least = heat.rows.iter().map(|r| qualities(r)[at].1).fold(f64::INFINITY, f64::min);
-                let best = heat.rows.len() > 1 && size.is_finite() && size == least;
+                // Where all are alike none is the best.
+                let alike = heat.rows.iter().all(|r| qualities(r)[at].1 == size);
+                let best = !alike && size.is_finite() && size == least;
                 out += &if best { format!("<td><b>{text}</b></td>") } else { format!("<td>{text}</td>") };
             }
             out += &format!("<td>{}</td></tr>\n", short(row.first_ms));
@@ -94,9 +96,9 @@ pub fn html(records: &[Race]) -> String {
     out + "</table>\n"
 }
 
-const ROW: f64 = 24.0;
-const SIDE: f64 = 140.0;
-const WIDTH: f64 = 520.0;
+const ROW: f64 = 27.0;
+const SIDE: f64 = 132.0;
+const WIDTH: f64 = 440.0;
 
 /// Two panels: the times over merev's, and the worst overlap.
 pub fn panels(records: &[Race]) -> [Svg; 2] {
@@ -111,30 +113,32 @@ pub fn panels(records: &[Race]) -> [Svg; 2] {
 
 fn dots(name: &str, heats: &[Heat<'_>], value: &dyn Fn(&Heat<'_>, &Race) -> f64, line: Option<f64>) -> Svg {
     let mut svg = Svg::new(WIDTH, ROW * heats.len() as f64 + 64.0, name);
-    svg.text(SIDE, 18.0, Anchor::Start, 12.5, INK, name);
+    svg.text(8.0, 18.0, Anchor::Start, 13.5, INK, name);
     let values = heats.iter().flat_map(|heat| heat.rows.iter().map(|row| value(heat, row)));
     let axis = LogAxis::around(values.chain(line).map(|v| v.max(1e-6)), SIDE, WIDTH - 14.0);
     let (top, bottom) = (28.0, 28.0 + ROW * heats.len() as f64);
     for tick in axis.ticks() {
         svg.line([axis.pixel(tick), top, axis.pixel(tick), bottom], GRID, 1.0, "", "grid");
-        svg.text(axis.pixel(tick), bottom + 16.0, Anchor::Middle, 11.0, FAINT, &label(tick));
+        svg.text(axis.pixel(tick), bottom + 16.0, Anchor::Middle, 12.5, FAINT, &label(tick));
     }
     if let Some(at) = line {
         svg.line([axis.pixel(at), top, axis.pixel(at), bottom], INK, 1.3, "7 4", "null");
     }
     for (k, heat) in heats.iter().enumerate() {
         let y = top + ROW * (k as f64 + 0.5);
-        svg.text(SIDE - 8.0, y + 4.0, Anchor::End, 11.0, INK, &heat.scene);
+        svg.text(SIDE - 8.0, y + 4.0, Anchor::End, 12.5, INK, &heat.scene);
         svg.line([SIDE, y, WIDTH - 14.0, y], GRID, 1.0, "", "grid");
-        for row in heat.rows.iter().rev() {
+        for (at, row) in heat.rows.iter().enumerate() {
             let value = value(heat, row);
+            // One below the other, so that equals are all seen.
+            let y = y + 5.0 * (at as f64 - (heat.rows.len() as f64 - 1.0) / 2.0);
             if !value.is_finite() {
                 continue;
             }
             let look = look(&row.engine);
             svg.open(&format!(r#"data-e="{}""#, escape(&row.engine)));
             svg.path(
-                &look.mark.path(axis.pixel(value.max(1e-6)), y, 5.0),
+                &look.mark.path(axis.pixel(value.max(1e-6)), y, 4.4),
                 &format!(r#"class="f-{}" fill="{}""#, look.engine, look.colour),
             );
             svg.close();

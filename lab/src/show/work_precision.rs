@@ -7,7 +7,7 @@ use super::svg::{Anchor, FAINT, GRID, INK, Svg, escape, num, text_width};
 use super::{order, pareto};
 use crate::records::{Outcome, SceneRow};
 
-const WIDTH: f64 = 520.0;
+const WIDTH: f64 = 440.0;
 const LEFT: f64 = 62.0;
 const RIGHT: f64 = 14.0;
 const PLOT: f64 = 290.0;
@@ -21,9 +21,9 @@ const STRIP: f64 = 20.0;
 pub fn draw(scene: &SceneRow, settings: &[(usize, &Setting)], titled: bool) -> Svg {
     let engines = engines(settings);
     let top = if titled { 34.0 } else { 8.0 } + STRIP;
-    let legend_top = top + PLOT + 52.0;
+    let legend_top = top + PLOT + 56.0;
     let legend: Vec<(&str, String)> = engines.iter().flat_map(|e| legend_of(e, settings)).collect();
-    let height = legend_top + 17.0 * legend.len() as f64 + 8.0;
+    let height = legend_top + 18.0 * legend.len() as f64 + 8.0;
     let about = format!("Error against CPU milliseconds per simulated second in the scene {}", scene.scene);
     let mut svg = Svg::new(WIDTH, height, &about);
     if titled {
@@ -47,13 +47,13 @@ pub fn draw(scene: &SceneRow, settings: &[(usize, &Setting)], titled: bool) -> S
         if y.holds(bound) {
             let py = y.pixel(bound);
             svg.line([LEFT, py, WIDTH - RIGHT, py], FAINT, 0.8, "1 4", "axis");
-            svg.text(LEFT + 4.0, py - 3.0, Anchor::Start, 9.0, FAINT, name);
+            svg.text(LEFT + 4.0, py - 3.0, Anchor::Start, 10.5, FAINT, name);
         }
     }
     if let Some(error) = null_error {
         let py = y.pixel(error);
         svg.line([LEFT, py, WIDTH - RIGHT, py], INK, 1.3, "7 4", "null");
-        svg.text(WIDTH - RIGHT - 4.0, py - 4.0, Anchor::End, 10.0, INK, "nothing moves");
+        svg.text(WIDTH - RIGHT - 4.0, py - 4.0, Anchor::End, 11.5, INK, "nothing moves");
     }
 
     for engine in &engines {
@@ -73,7 +73,7 @@ pub fn draw(scene: &SceneRow, settings: &[(usize, &Setting)], titled: bool) -> S
         );
     }
     for (k, (engine, text)) in legend.iter().enumerate() {
-        legend_row(&mut svg, engine, text, legend_top + 17.0 * k as f64);
+        legend_row(&mut svg, engine, text, legend_top + 18.0 * k as f64);
     }
     svg
 }
@@ -88,7 +88,7 @@ fn engines(settings: &[(usize, &Setting)]) -> Vec<String> {
 fn strip(svg: &mut Svg, top: f64) {
     let y = top - STRIP;
     svg.rect([LEFT, y, WIDTH - LEFT - RIGHT, STRIP], GRID, "strip");
-    svg.text(LEFT - 6.0, y + 14.0, Anchor::End, 11.0, FAINT, "failed");
+    svg.text(LEFT - 6.0, y + 14.0, Anchor::End, 12.0, FAINT, "failed");
 }
 
 /// The heavy line: from each point of the front along its error to the cost of the next, since whoever may spend
@@ -187,9 +187,9 @@ fn legend_of<'a>(engine: &'a str, settings: &[(usize, &Setting)]) -> Vec<(&'a st
             } else {
                 format!("{line}, {order}")
             };
-            if !line.is_empty() && text_width(&longer, 11.0) > WIDTH - 50.0 {
+            if !line.is_empty() && text_width(&longer, 12.0) > WIDTH - 40.0 {
                 lines.push((engine, line + ","));
-                line = format!("    {order}");
+                line = format!("  {order}");
             } else {
                 line = longer;
             }
@@ -207,11 +207,11 @@ fn legend_row(svg: &mut Svg, engine: &str, text: &str, y: f64) {
     svg.open(&format!(r#"class="legend" data-e="{}""#, escape(engine)));
     if !text.starts_with(' ') {
         svg.path(
-            &look.mark.path(LEFT - 38.0, y, 4.2),
+            &look.mark.path(16.0, y, 4.6),
             &format!(r#"class="f-{}" fill="{}""#, look.engine, look.colour),
         );
     }
-    svg.text(LEFT - 28.0, y + 4.0, Anchor::Start, 11.0, INK, text);
+    svg.text(27.0, y + 4.0, Anchor::Start, 12.0, INK, text);
     svg.close();
 }
 

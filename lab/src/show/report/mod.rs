@@ -104,3 +104,5 @@ fn race_part(data: &Data) -> String {
 mod browser_test;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+pub use tests::sample;

@@ -40,17 +40,14 @@ pub fn overview(data: &Data, engines: &[String]) -> String {
     for tolerance in TOLERANCES {
         let about = format!("Least cost at error ≤ {}", label(tolerance));
         let mut said = solved(data, engines, tolerance);
-        said += &verdict(&verdict::precision(data, tolerance), "to be cheaper than all others");
+        said += &verdict(&verdict::precision(data, tolerance));
         out += &card(&about, &said);
     }
     if !data.stability.is_empty() {
-        out += &card(
-            "Stressors",
-            &verdict(&verdict::stressors(&data.stability), "to bear more than all others"),
-        );
+        out += &card("Stressors", &verdict(&verdict::stressors(&data.stability)));
     }
     if !data.race.is_empty() {
-        out += &card("Time a step", &verdict(&verdict::races(&data.race), "to be faster than all others"));
+        out += &card("Time a step", &verdict(&verdict::races(&data.race)));
     }
     let failed: Vec<&str> = data.checks.iter().filter(|c| !c.pass).map(|c| c.check.as_str()).collect();
     if !failed.is_empty() {
@@ -93,7 +90,7 @@ fn solved(data: &Data, engines: &[String], tolerance: f64) -> String {
 /// How many losses are named before the fold.
 const NAMED: usize = 8;
 
-fn verdict(duels: &[Duel], better: &str) -> String {
+fn verdict(duels: &[Duel]) -> String {
     if duels.is_empty() {
         return "<p class=\"faint\">No other engine to compare with.</p>".into();
     }
@@ -101,12 +98,11 @@ fn verdict(duels: &[Duel], better: &str) -> String {
     let (mut lost, won): (Vec<&Duel>, Vec<&Duel>) = rest.into_iter().partition(|d| d.is_lost());
     lost.sort_by(|a, b| a.factor.total_cmp(&b.factor));
     let mut out = format!(
-        "<p>merev <span class=\"win\">wins {}</span>, <span class=\"lose\">loses {}</span> and is even in {} of {} \
-         ({better}).</p>",
+        "<p>Against the best of the others merev <span class=\"win\">wins {}</span>, <span class=\"lose\">loses \
+         {}</span>, even {}.</p>",
         won.len(),
         lost.len(),
-        even.len(),
-        duels.len()
+        even.len()
     );
     let words = |duels: &[&Duel]| duels.iter().map(|d| escape(&d.words())).collect::<Vec<_>>().join("; ");
     if !lost.is_empty() {
