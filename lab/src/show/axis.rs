@@ -41,6 +41,11 @@ impl LogAxis {
         self.from + share * (self.to - self.from)
     }
 
+    /// The value at a pixel.
+    pub fn value(&self, pixel: f64) -> f64 {
+        libm::exp10(self.low + (pixel - self.from) / (self.to - self.from) * (self.high - self.low))
+    }
+
     pub fn holds(&self, value: f64) -> bool {
         value > 0.0 && (self.low..=self.high).contains(&libm::log10(value))
     }
@@ -123,6 +128,7 @@ mod tests {
             assert!((0.0..=100.0).contains(&axis.pixel(value)), "{value}: {}", axis.pixel(value));
         }
         assert!(axis.pixel(3.0) > 0.0 && axis.pixel(300.0) < 100.0);
+        assert!((axis.value(axis.pixel(7.0)) - 7.0).abs() < 1e-12);
         let empty = LogAxis::around([], 0.0, 100.0);
         assert!(empty.ticks().len() >= 2);
         let one = LogAxis::around([5.0], 0.0, 100.0);

@@ -69,9 +69,12 @@ impl Data {
         self.scenes_run().map(|s| engines.iter().map(|e| cost(&s.scene, e)).collect()).collect()
     }
 
-    /// The scenes with at least one run.
+    /// The scenes that at least one engine was run on: what all engines refuse says nothing of any.
     pub fn scenes_run(&self) -> impl Iterator<Item = &SceneRow> {
-        self.scenes.iter().filter(|scene| self.settings.iter().any(|s| s.scene == scene.scene))
+        let ran = |scene: &&SceneRow| {
+            self.settings.iter().any(|s| s.scene == scene.scene && s.outcome != records::Outcome::Refused)
+        };
+        self.scenes.iter().filter(ran)
     }
 }
 

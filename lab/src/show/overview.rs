@@ -31,7 +31,7 @@ pub fn budget(data: &Data, engines: &[String]) -> Vec<Svg> {
         let curves = budget_curves(data, engines, tolerance);
         let ends = curves.iter().flat_map(|c| c.0.iter().map(|step| step.0));
         let (low, high) = ends.fold((0.25, 32.0), |(low, high): (f64, f64), x| (low.min(x), high.max(x)));
-        let axis = LogAxis::new(low / 1.5, high, LEFT, LEFT + PLOT[0]);
+        let axis = LogAxis::new(low / 1.5, 2.0 * high, LEFT, LEFT + PLOT[0]);
         let mut ticks: Vec<(f64, String)> = BUDGETS_MS.map(|ms| (axis.pixel(ms), label(ms))).into();
         ticks.extend(
             axis.ticks().into_iter().filter(|v| *v < 0.2 || *v > 32.0).map(|v| (axis.pixel(v), label(v))),
@@ -39,7 +39,7 @@ pub fn budget(data: &Data, engines: &[String]) -> Vec<Svg> {
         // Numbers that would run into each other are left out, those of the budgets last of all.
         let mut kept: Vec<(f64, String)> = Vec::new();
         for tick in ticks {
-            if kept.iter().all(|k| (k.0 - tick.0).abs() > 24.0) {
+            if kept.iter().all(|k| (k.0 - tick.0).abs() > 17.0) {
                 kept.push(tick);
             }
         }
@@ -74,7 +74,7 @@ fn panel(
     for (k, (engine, curve)) in engines.iter().zip(curves).enumerate().rev() {
         let look = look(engine);
         // Curves that run together lie beside each other instead.
-        let shift = 1.6 * k as f64;
+        let shift = 1.1 * k as f64;
         let mut d = format!("M{} {}", super::svg::num(x.pixel(start)), super::svg::num(y(0.0) - shift));
         for &(at, share) in &curve.0 {
             d += &format!("H{}V{}", super::svg::num(x.pixel(at)), super::svg::num(y(share) - shift));
@@ -87,7 +87,8 @@ fn panel(
                 look.engine, look.colour
             ),
         );
-        let mark = look.mark.path(LEFT + PLOT[0] - 6.0 - 9.0 * k as f64, y(curve.end()) - shift, 4.0);
+        let at = LEFT + PLOT[0] - 8.0 - 13.0 * k as f64;
+        let mark = look.mark.path(at, y(curve.at(x.value(at))) - shift, 4.0);
         svg.path(&mark, &format!(r#"class="f-{}" fill="{}""#, look.engine, look.colour));
     }
     svg

@@ -36,11 +36,6 @@ impl Steps {
     pub fn at(&self, x: f64) -> f64 {
         self.0.iter().rev().find(|step| step.0 <= x).map_or(0.0, |step| step.1)
     }
-
-    /// The share that is reached at last: how often it works at all.
-    pub fn end(&self) -> f64 {
-        self.0.last().map_or(0.0, |step| step.1)
-    }
 }
 
 /// The performance profile of each engine. `costs[p][s]` is the least cost at which engine s solves scene p; a step
@@ -84,7 +79,7 @@ mod tests {
         assert_eq!(all[1].0, [(1.0, 0.5), (2.0, 0.75)]);
         assert_eq!(all[2].0, [(1.0, 0.25), (4.0, 0.5)]);
         assert_eq!((all[0].at(0.5), all[0].at(1.0), all[0].at(2.9), all[0].at(3.0)), (0.0, 0.5, 0.5, 0.75));
-        assert_eq!(all[2].end(), 0.5);
+        assert_eq!(all[2].at(f64::INFINITY), 0.5);
     }
 
     #[test]
@@ -98,6 +93,6 @@ mod tests {
     #[test]
     fn no_scenes_have_level_profiles() {
         assert_eq!(performance(&[], 2), vec![Steps::default(); 2]);
-        assert_eq!(data(&[], 1)[0].end(), 0.0);
+        assert_eq!(data(&[], 1)[0].at(1e9), 0.0);
     }
 }

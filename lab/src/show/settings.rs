@@ -18,7 +18,10 @@ pub struct Setting {
     pub sub_steps: u32,
     pub iterations: u32,
     pub accuracy: Option<f64>,
+    /// The setting as it comes, of this method.
     pub is_default: bool,
+    /// The engine as it comes: the default setting of its default method.
+    pub as_it_comes: bool,
     pub outcome: Outcome,
     /// Finite and not negative; there only if all runs ended well.
     pub error: Option<f64>,
@@ -65,6 +68,7 @@ impl Setting {
             iterations: row.iterations,
             accuracy: row.accuracy,
             is_default: row.is_default != 0,
+            as_it_comes: false,
             outcome,
             error: error.filter(|_| outcome == Outcome::Ok),
             cost_ms: row.cost_ms.filter(|c| c.is_finite() && *c > 0.0),
@@ -104,6 +108,13 @@ pub fn settings(rows: &[WorkPrecision]) -> Vec<Setting> {
             }
         }
     }
+    // Each method has a default setting; the engine's own method is the first that is run.
+    let mut seen = BTreeMap::new();
+    for setting in all.iter_mut().filter(|s| s.is_default) {
+        let place = (setting.scene.clone(), setting.engine.clone(), setting.precision.clone());
+        let first = seen.entry(place).or_insert_with(|| setting.method.clone());
+        setting.as_it_comes = *first == setting.method;
+    }
     all
 }
 
@@ -141,6 +152,15 @@ mod tests {
         rows[1].outcome = Outcome::Exploded;
         let all = settings(&rows);
         assert_eq!((all[0].outcome, all[0].point()), (Outcome::Exploded, None));
+    }
+
+    #[test]
+    fn an_engine_comes_with_one_method() {
+        let mut rows = vec![run("s", "merev", 60.0, 1.0, 1e-3); 2];
+        rows[1].method = "lemke".into();
+        let all = settings(&rows);
+        assert_eq!([all[0].as_it_comes, all[1].as_it_comes], [true, false]);
+        assert!(all[0].is_default && all[1].is_default);
     }
 
     #[test]

@@ -119,8 +119,9 @@ fn mark(svg: &mut Svg, index: usize, setting: &Setting, x: &LogAxis, y: &LogAxis
         return;
     }
     let look = look(&setting.engine);
-    // A run that failed before its time was taken stands at the left end.
-    let px = setting.cost_ms.map_or(LEFT + 6.0, |cost| x.pixel(cost));
+    // A run that failed before its time was taken stands at the left end; one that took too long, at the right.
+    let end = if setting.outcome == Outcome::Timeout { WIDTH - RIGHT - 6.0 } else { LEFT + 6.0 };
+    let px = setting.cost_ms.map_or(end, |cost| x.pixel(cost));
     let py = setting.point().map_or(top - STRIP / 2.0, |(_, error)| y.pixel(error));
     let failed = setting.outcome != Outcome::Ok;
     let data = format!(
@@ -130,7 +131,7 @@ fn mark(svg: &mut Svg, index: usize, setting: &Setting, x: &LogAxis, y: &LogAxis
         escape(&setting.engine)
     );
     svg.open(&format!(r#"class="p{}" {data}"#, if failed { " failed" } else { "" }));
-    if setting.is_default && !failed {
+    if setting.as_it_comes && !failed {
         let ring = palette::Mark::Disc.path(px, py, 8.5);
         svg.path(&ring, &format!(r#"class="ring" fill="none" stroke="{INK}" stroke-width="1.6""#));
     }
@@ -140,9 +141,9 @@ fn mark(svg: &mut Svg, index: usize, setting: &Setting, x: &LogAxis, y: &LogAxis
         let d = format!("M{l} {t}L{r} {b}M{l} {b}L{r} {t}");
         svg.path(&d, &format!(r#"class="s-{engine}" fill="none" stroke="{colour}" stroke-width="1.7""#));
     } else {
-        let radius = if setting.is_default { 4.2 } else { 3.3 };
+        let radius = if setting.as_it_comes { 4.2 } else { 3.3 };
         let (fill, class) = if setting.precision == "f64" { ("none", "s") } else { (colour, "f") };
-        let opacity = if setting.is_default { "1" } else { "0.55" };
+        let opacity = if setting.as_it_comes { "1" } else { "0.55" };
         svg.path(
             &look.mark.path(px, py, radius),
             &format!(
@@ -153,52 +154,47 @@ fn mark(svg: &mut Svg, index: usize, setting: &Setting, x: &LogAxis, y: &LogAxis
     svg.close();
 }
 
-/// The lines of the legend for an engine: its methods with the order that was measured.
+/// The lines of the legend for an engine: its own method and those on its front, with the order that was measured.
 fn legend_of<'a>(engine: &'a str, settings: &[(usize, &Setting)]) -> Vec<(&'a str, String)> {
     let own: Vec<&Setting> = settings.iter().map(|(_, s)| *s).filter(|s| s.engine == engine).collect();
-    let methods = distinct(own.iter().map(|s| s.method.as_str()));
-    let mut lines: Vec<(&str, String)> = Vec::new();
-    let mut orders: Vec<String> = Vec::new();
-    let mut refused = Vec::new();
+    let name = palette::title(engine);
+    if own.iter().all(|s| s.outcome == Outcome::Refused) {
+        return vec![(engine, format!("{name} cannot run this"))];
+    }
+    let front = pareto::front(own.iter().filter_map(|s| s.point()));
+    let leads = |s: &&&Setting| s.as_it_comes || s.point().is_some_and(|p| front.contains(&p));
+    let methods = distinct(own.iter().filter(leads).map(|s| s.method.as_str()));
+    let all = distinct(own.iter().map(|s| s.method.as_str())).len();
+    let mut words: Vec<String> = Vec::new();
     for method in &methods {
         let of_method: Vec<&Setting> = own.iter().copied().filter(|s| s.method == *method).collect();
-        if of_method.iter().all(|s| s.outcome == Outcome::Refused) {
-            refused.push(method.clone());
-            continue;
-        }
-        // Where both precisions were run, round-off would bend the ladder of the one: orders are taken apart.
-        let precisions = distinct(of_method.iter().map(|s| s.precision.as_str()));
+        // Round-off would bend the ladder of a lower precision: orders are taken apart, the higher one first.
+        let mut precisions = distinct(of_method.iter().map(|s| s.precision.as_str()));
+        precisions.sort_by(|a, b| b.cmp(a));
         let order = precisions
             .iter()
-            .rev()
             .find_map(|p| order::of_method(of_method.iter().copied().filter(|s| s.precision == *p)));
-        orders.push(match order {
-            Some(order) => format!("{method} {order:.1}"),
+        words.push(match order {
+            Some(order) => format!("{method} (order {order:.1})"),
             None => method.clone(),
         });
     }
-    let name = palette::title(engine);
-    if !orders.is_empty() {
-        // As many methods a line as there is room for.
-        let mut line = String::new();
-        for order in orders {
-            let longer = if line.is_empty() {
-                format!("{name} · order: {order}")
-            } else {
-                format!("{line}, {order}")
-            };
-            if !line.is_empty() && text_width(&longer, 12.0) > WIDTH - 40.0 {
-                lines.push((engine, line + ","));
-                line = format!("  {order}");
-            } else {
-                line = longer;
-            }
+    if all > methods.len() {
+        words.push(format!("{} more", all - methods.len()));
+    }
+    // As many methods a line as there is room for.
+    let mut lines: Vec<(&str, String)> = Vec::new();
+    let mut line = name;
+    for (k, word) in words.into_iter().enumerate() {
+        let longer = format!("{line}{} {word}", if k == 0 { " ·" } else { "," });
+        if k > 0 && text_width(&longer, 12.0) > WIDTH - 30.0 {
+            lines.push((engine, line + ","));
+            line = format!("  {word}");
+        } else {
+            line = longer;
         }
-        lines.push((engine, line));
     }
-    if !refused.is_empty() {
-        lines.push((engine, format!("{name} cannot: {}", refused.join(", "))));
-    }
+    lines.push((engine, line));
     lines
 }
 
@@ -245,7 +241,7 @@ mod tests {
         assert_eq!(svg.matches("class=\"p failed\"").count(), 1);
         assert_eq!(svg.matches("class=\"ring\"").count(), 1);
         assert_eq!(svg.matches("class=\"front ").count(), 1);
-        assert!(svg.contains("soft_step 2.0") && svg.contains("nothing moves"), "{svg}");
+        assert!(svg.contains("soft_step (order 2.0)") && svg.contains("nothing moves"), "{svg}");
     }
 
     #[test]

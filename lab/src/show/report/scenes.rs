@@ -5,7 +5,7 @@ use super::super::data::Data;
 use super::super::profile::{BUDGETS_MS, FRAMES};
 use super::super::settings::{Setting, distinct};
 use super::super::svg::escape;
-use super::super::{attribution, palette, pareto, work_precision};
+use super::super::{attribution, order, palette, pareto, work_precision};
 use super::badge;
 use crate::records::{Outcome, SceneRow};
 use serde_json::json;
@@ -87,14 +87,17 @@ fn card(data: &Data, scene: &SceneRow, engines: &[String]) -> String {
     );
     if settings.is_empty() {
         out += "<p class=\"faint\">Not run.</p>\n";
+    } else if settings.iter().all(|(_, s)| s.outcome == Outcome::Refused) {
+        out += "<p class=\"faint\">Refused by every engine here, or not possible yet.</p>\n";
     } else {
         out += &format!(
             "<div class=\"chart\">{}</div>\n",
             work_precision::draw(scene, &settings, false).inline()
         );
         out += &format!(
-            "<details><summary>Numbers</summary><div class=\"scroll\">{}</div></details>\n",
-            numbers(&settings, engines)
+            "<details><summary>Numbers</summary><div class=\"scroll\">{}</div><div class=\"scroll\">{}</div></details>\n",
+            numbers(&settings, engines),
+            methods(&settings, engines)
         );
     }
     if let Some(bars) = attribution::draw(&scene.scene, &data.attribution, false) {
@@ -118,7 +121,7 @@ fn numbers(settings: &[(usize, &Setting)], engines: &[String]) -> String {
         if own.is_empty() {
             continue;
         }
-        let default = own.iter().find(|s| s.is_default);
+        let default = own.iter().find(|s| s.as_it_comes);
         let error = match default {
             Some(s) if s.outcome != Outcome::Ok => s.outcome.name().to_owned(),
             Some(s) => s.error.map_or("–".to_owned(), short),
@@ -137,6 +140,50 @@ fn numbers(settings: &[(usize, &Setting)], engines: &[String]) -> String {
         out += &format!("<td>{failed} of {}</td></tr>\n", ran.count());
     }
     out + "</tbody></table>"
+}
+
+/// Each method: its measured order, what it does by default, and how exact it gets at all.
+fn methods(settings: &[(usize, &Setting)], engines: &[String]) -> String {
+    let mut out = String::from(
+        "<table><thead><tr><th>method</th><th>order</th><th>default<small>error</small></th>\
+         <th>default<small>CPU ms/s</small></th><th>least error</th><th>failed</th></tr></thead><tbody>\n",
+    );
+    for engine in engines {
+        let own: Vec<&Setting> = settings.iter().map(|(_, s)| *s).filter(|s| s.engine == *engine).collect();
+        for (method, precision) in pairs(&own) {
+            let ran: Vec<&Setting> =
+                own.iter().copied().filter(|s| s.method == method && s.precision == precision).collect();
+            let default = ran.iter().find(|s| s.is_default);
+            let error = default.map_or("–".to_owned(), |s| s.error.map_or(s.outcome.name().into(), short));
+            let cost = default.and_then(|s| s.cost_ms).map_or("–".to_owned(), short);
+            let order = order::of_method(ran.iter().copied()).map_or("–".to_owned(), |p| format!("{p:.1}"));
+            let least = ran.iter().filter_map(|s| s.error).fold(f64::INFINITY, f64::min);
+            let failed = ran.iter().filter(|s| s.outcome != Outcome::Ok).count();
+            out += &format!(
+                "<tr data-e=\"{}\"><td>{}, {} {}</td><td>{order}</td><td>{error}</td><td>{cost}</td><td>{}</td>\
+                 <td>{failed} of {}</td></tr>\n",
+                escape(engine),
+                escape(&palette::title(engine)),
+                escape(&method),
+                escape(&precision),
+                short(least),
+                ran.len()
+            );
+        }
+    }
+    out + "</tbody></table>"
+}
+
+/// Methods and precisions that were run, each once.
+fn pairs(settings: &[&Setting]) -> Vec<(String, String)> {
+    let mut all = Vec::new();
+    for setting in settings {
+        let pair = (setting.method.clone(), setting.precision.clone());
+        if !all.contains(&pair) {
+            all.push(pair);
+        }
+    }
+    all
 }
 
 /// What is said of each mark.
@@ -170,7 +217,7 @@ pub fn json(data: &Data) -> String {
         if let Some(cost) = s.cost_ms {
             lines.push(format!("{} CPU ms a second, {} ms a frame", short(cost), short(cost / FRAMES)));
         }
-        if s.is_default {
+        if s.as_it_comes {
             lines.push("as the engine comes".into());
         }
         let accuracy = s.accuracy.map(f64::to_bits);
