@@ -36,7 +36,7 @@ mod svg;
 mod verdict;
 mod work_precision;
 
-use data::Data;
+use data::{Data, Entrant};
 use std::fs;
 use std::path::Path;
 use svg::Svg;
@@ -61,13 +61,13 @@ pub fn charts(directory: &Path) -> Result<(), String> {
         }
     }
     if !data.settings.is_empty() {
-        let engines = data.engines();
+        let entrants = data.entrants();
         let title = "Share of scenes solved within a budget";
-        let panels = overview::budget(&data, &engines);
-        write(&folder, "overview_budget", &overview::sheet(title, &panels, &engines))?;
+        let panels = overview::budget(&data, &entrants);
+        write(&folder, "overview_budget", &overview::sheet(title, &panels, &entrants))?;
         let title = "Share of scenes solved at so many times the least cost";
-        let panels = overview::performance(&data, &engines);
-        write(&folder, "overview_performance", &overview::sheet(title, &panels, &engines))?;
+        let panels = overview::performance(&data, &entrants);
+        write(&folder, "overview_performance", &overview::sheet(title, &panels, &entrants))?;
     }
     Ok(())
 }
@@ -95,8 +95,9 @@ pub fn race(directory: &Path) -> Result<(), String> {
     }
     let mut engines = settings::distinct(data.race.iter().map(|r| r.engine.as_str()));
     engines.sort_by(|a, b| palette::rank(a).cmp(&palette::rank(b)));
+    let entrants: Vec<Entrant> = engines.into_iter().map(|engine| Entrant { engine, choice: None }).collect();
     let sheet =
-        overview::sheet("The race: time and what came of it", &race_chart::panels(&data.race), &engines);
+        overview::sheet("The race: time and what came of it", &race_chart::panels(&data.race), &entrants);
     write(&directory.join("charts"), "race", &sheet)
 }
 

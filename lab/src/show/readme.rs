@@ -36,9 +36,9 @@ fn parts(data: &Data) -> Result<Vec<Part>, String> {
     if data.settings.is_empty() || data.race.is_empty() || data.stability.is_empty() {
         return Err("the README needs records of chart, stability and race".into());
     }
-    let engines = data.engines();
+    let entrants = data.entrants();
     let title = "Share of scenes that are solved within a budget";
-    let chart = overview::sheet(title, &overview::budget(data, &engines), &engines).file();
+    let chart = overview::sheet(title, &overview::budget(data, &entrants), &entrants).file();
     let picture = png::png(&chart, SCALE)?;
     Ok(vec![
         ("chart.svg", chart.into_bytes()),

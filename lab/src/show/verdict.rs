@@ -1,10 +1,11 @@
 //! Where merev wins and where it loses, said plainly from the records.
 
 use super::axis::short;
-use super::data::Data;
+use super::data::{Data, Entrant};
 use super::palette::title;
 use super::pareto;
-use crate::records::{Race, Stability};
+use super::settings::{FLOOR, Setting};
+use crate::records::{Outcome, Race, Stability};
 
 /// Whether an engine is merev, called through Rust or through C.
 pub fn is_ours(engine: &str) -> bool {
@@ -73,16 +74,32 @@ fn duel(what: &str, values: impl IntoIterator<Item = (String, Option<f64>)>) -> 
     Some(Duel { what: what.to_owned(), rival: other.1, factor })
 }
 
-/// Who reaches a tolerance more cheaply, scene by scene. Scenes that nobody else was run on, or that nobody
-/// solves, are left out.
+/// Who reaches a tolerance more cheaply, scene by scene, each with the method it comes with. Scenes that nobody else
+/// was run on, or that nobody solves, are left out.
 pub fn precision(data: &Data, tolerance: f64) -> Vec<Duel> {
-    let engines = data.engines();
-    let costs = |scene: &str| -> Vec<(String, Option<f64>)> {
-        let ran =
-            engines.iter().filter(|e| data.settings.iter().any(|s| s.scene == scene && s.engine == **e));
-        ran.map(|e| (e.clone(), pareto::cost_of(&data.front(scene, e), tolerance))).collect()
+    each(data, |scene, entrant| pareto::cost_of(&data.front_of(scene, entrant), tolerance))
+}
+
+/// Who is more exact as it comes, whatever it costs.
+pub fn defaults(data: &Data) -> Vec<Duel> {
+    each(data, |scene, entrant| {
+        let own = |s: &&Setting| s.scene == scene && s.engine == entrant.engine && s.as_it_comes;
+        data.settings.iter().filter(own).filter_map(|s| s.error).map(|e| e.max(FLOOR)).reduce(f64::min)
+    })
+}
+
+/// A duel for each scene, of a value of each engine that was run on it.
+fn each(data: &Data, value: impl Fn(&str, &Entrant) -> Option<f64>) -> Vec<Duel> {
+    let entrants: Vec<Entrant> = data.entrants().into_iter().filter(|e| e.choice.is_none()).collect();
+    let took_part = |scene: &str, e: &Entrant| {
+        let own = |s: &Setting| s.scene == scene && s.engine == e.engine && s.outcome != Outcome::Refused;
+        data.settings.iter().any(own)
     };
-    data.scenes_run().filter_map(|scene| duel(&scene.scene, costs(&scene.scene))).collect()
+    let values = |scene: &str| -> Vec<(String, Option<f64>)> {
+        let part = entrants.iter().filter(|e| took_part(scene, e));
+        part.map(|e| (e.engine.clone(), value(scene, e))).collect()
+    };
+    data.scenes_run().filter_map(|scene| duel(&scene.scene, values(&scene.scene))).collect()
 }
 
 /// Who takes less time in the races.
@@ -110,7 +127,6 @@ pub fn stressors(rows: &[Stability]) -> Vec<Duel> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::records::Outcome;
 
     fn stability(engine: &str, method: &str, harder: &str, survived: Option<f64>) -> Stability {
         Stability {

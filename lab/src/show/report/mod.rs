@@ -26,7 +26,7 @@ pub fn page(data: &Data) -> String {
             "css" => STYLE.replace("{{engines}}", &engine_styles()),
             "js" => SCRIPT.to_owned(),
             "intro" => overview::intro(data, &engines),
-            "overview" => overview::overview(data, &engines),
+            "overview" => overview::overview(data),
             "filters" => scenes::filters(data, &engines),
             "scenes" => scenes::scenes(data, &engines),
             "stability" => stability_part(data),

@@ -1,13 +1,12 @@
 //! The head of the page: what was measured, who wins, where merev loses.
 
 use super::super::axis::label;
-use super::super::data::Data;
+use super::super::data::{Data, Entrant};
 use super::super::overview as panels;
 use super::super::profile::{BUDGETS_MS, TOLERANCES};
 use super::super::svg::escape;
 use super::super::verdict::{self, Duel};
 use super::super::{palette, settings::distinct};
-use super::legend;
 
 pub fn intro(data: &Data, engines: &[String]) -> String {
     let names: Vec<String> = engines.iter().map(|e| escape(&palette::title(e))).collect();
@@ -35,11 +34,19 @@ pub fn intro(data: &Data, engines: &[String]) -> String {
     out
 }
 
-pub fn overview(data: &Data, engines: &[String]) -> String {
-    let mut out = String::from("<div class=\"verdicts\">\n");
+pub fn overview(data: &Data) -> String {
+    let entrants = &data.entrants();
+    let mut out = String::from(
+        "<p>Everybody stands here with the method it comes with, at the best of its settings. Where an engine has \
+         several methods, a dashed line shows what choosing the best of them for each scene would give; that is \
+         knowledge which nobody has beforehand, so it takes no part in the verdicts.</p>\n<div class=\"verdicts\">\n",
+    );
+    if !data.settings.is_empty() {
+        out += &card("Error as it comes, default settings", &verdict(&verdict::defaults(data)));
+    }
     for tolerance in TOLERANCES {
         let about = format!("Least cost at error ≤ {}", label(tolerance));
-        let mut said = solved(data, engines, tolerance);
+        let mut said = solved(data, entrants, tolerance);
         said += &verdict(&verdict::precision(data, tolerance));
         out += &card(&about, &said);
     }
@@ -60,31 +67,28 @@ pub fn overview(data: &Data, engines: &[String]) -> String {
         return out + "<p class=\"faint\">No work–precision runs: <code>merev chart</code> makes them.</p>\n";
     }
     let inline = |svgs: Vec<super::super::svg::Svg>| svgs.iter().map(|s| s.inline()).collect::<String>();
-    out += &legend(engines);
+    out += &legend(entrants);
     out += "<h4>How many scenes within a budget</h4>\n<p>The share of scenes that an engine solves to the error named, \
             with the best of its settings that fits the budget. Higher is better.</p>\n";
-    out += &format!("<div class=\"panels\">{}</div>\n", inline(panels::budget(data, engines)));
-    out += &format!("<div class=\"scroll\">{}</div>\n", budget_table(data, engines));
+    out += &format!("<div class=\"panels\">{}</div>\n", inline(panels::budget(data, entrants)));
+    out += &format!("<div class=\"scroll\">{}</div>\n", budget_table(data, entrants));
     out += "<h4>How often close to the best</h4>\n<p>The share of scenes that an engine solves at no more than so many \
             times the cost of whoever is cheapest there. The left end tells how often it wins, the right end how often \
             it gets there at all. Only the leading curve is safe to name: how the others rank depends on it.</p>\n";
-    out + &format!("<div class=\"panels\">{}</div>\n", inline(panels::performance(data, engines)))
+    out + &format!("<div class=\"panels\">{}</div>\n", inline(panels::performance(data, entrants)))
 }
 
 fn card(title: &str, body: &str) -> String {
     format!("<div class=\"verdict\"><h4>{}</h4>{body}</div>\n", escape(title))
 }
 
-/// How many scenes each engine solves at all.
-fn solved(data: &Data, engines: &[String], tolerance: f64) -> String {
-    let costs = data.costs(engines, tolerance);
+/// How many scenes each entrant solves at all.
+fn solved(data: &Data, entrants: &[Entrant], tolerance: f64) -> String {
+    let costs = data.costs(entrants, tolerance);
     let count = |k: usize| costs.iter().filter(|row| row.get(k).is_some_and(Option::is_some)).count();
-    let said: Vec<String> = engines
-        .iter()
-        .enumerate()
-        .map(|(k, e)| format!("{} {}", escape(&palette::title(e)), count(k)))
-        .collect();
-    format!("<p>Of {} scenes solved: {}.</p>", costs.len(), said.join(", "))
+    let said: Vec<String> =
+        entrants.iter().enumerate().map(|(k, e)| format!("{}: {}", escape(&e.name()), count(k))).collect();
+    format!("<p>Of {} scenes solved by {}.</p>", costs.len(), said.join("; "))
 }
 
 /// How many losses are named before the fold.
@@ -126,7 +130,7 @@ fn verdict(duels: &[Duel]) -> String {
 }
 
 /// Share of scenes by engine, tolerance and budget.
-fn budget_table(data: &Data, engines: &[String]) -> String {
+fn budget_table(data: &Data, entrants: &[Entrant]) -> String {
     let mut out = String::from("<table><thead><tr><th>share of scenes solved</th>");
     for tolerance in TOLERANCES {
         for budget in BUDGETS_MS {
@@ -134,9 +138,10 @@ fn budget_table(data: &Data, engines: &[String]) -> String {
         }
     }
     out += "</tr></thead><tbody>\n";
-    let curves = TOLERANCES.map(|tolerance| panels::budget_curves(data, engines, tolerance));
-    for (k, engine) in engines.iter().enumerate() {
-        out += &format!("<tr data-e=\"{}\"><td>{}</td>", escape(engine), escape(&palette::title(engine)));
+    let curves = TOLERANCES.map(|tolerance| panels::budget_curves(data, entrants, tolerance));
+    for (k, entrant) in entrants.iter().enumerate() {
+        let (engine, name) = (escape(&entrant.engine), escape(&entrant.name()));
+        out += &format!("<tr data-e=\"{engine}\"><td>{name}</td>");
         for (curves, _) in curves.iter().zip(TOLERANCES) {
             for budget in BUDGETS_MS {
                 let share = curves[k].at(budget);
@@ -148,4 +153,17 @@ fn budget_table(data: &Data, engines: &[String]) -> String {
         out += "</tr>\n";
     }
     out + "</tbody></table>"
+}
+
+/// The entrants' marks and names.
+fn legend(entrants: &[Entrant]) -> String {
+    let one = |e: &Entrant| {
+        format!(
+            "<span><svg viewBox=\"0 0 14 14\" aria-hidden=\"true\"><path {} d=\"{}\"/></svg>{}</span>",
+            panels::fill_of(e),
+            palette::look(&e.engine).mark.path(7.0, 7.0, 4.6),
+            escape(&e.name())
+        )
+    };
+    format!("<div class=\"legend-line\">{}</div>\n", entrants.iter().map(one).collect::<String>())
 }

@@ -78,9 +78,10 @@ fn card(data: &Data, scene: &SceneRow, engines: &[String]) -> String {
     );
     let null = scene.null_error.filter(|e| e.is_finite()).map_or("–".to_owned(), short);
     let (scale, seconds) = (short(scene.scale), short(scene.duration_s));
-    let unit = escape(&scene.scale_unit);
+    // "1" is how a scale without a unit is written.
+    let unit = if scene.scale_unit == "1" { String::new() } else { escape(&scene.scale_unit) };
     out += &format!(
-        "<dl><dt>reference</dt><dd>{}</dd><dt>error</dt><dd>{}; scale {scale} {unit}</dd>\
+        "<dl><dt>reference</dt><dd>{}</dd><dt>error</dt><dd>{}; over {scale} {unit}</dd>\
          <dt>if nothing moved</dt><dd>{null}</dd><dt>simulated</dt><dd>{seconds} s</dd></dl>\n",
         escape(&scene.reference),
         escape(&scene.primary)
