@@ -36,7 +36,10 @@ pub fn draw(scene: &str, rows: &[Attribution], titled: bool) -> Option<Svg> {
     if titled {
         svg.text(WIDTH / 2.0, 20.0, Anchor::Middle, 14.0, INK, &format!("{scene}: sources of the error"));
     }
-    let axis = LogAxis::around(own.iter().map(|r| r.error.max(1e-12)), LEFT, WIDTH - RIGHT);
+    // A logarithmic axis has no zero to begin at: bars begin a decade below the shortest.
+    let errors = || own.iter().map(|r| r.error.max(1e-12));
+    let start = errors().fold(f64::INFINITY, f64::min) / 10.0;
+    let axis = LogAxis::around(errors().chain([start]), LEFT, WIDTH - RIGHT);
     let bottom = height - 36.0;
     for tick in axis.ticks() {
         let x = axis.pixel(tick);

@@ -59,16 +59,16 @@ impl LogAxis {
             if k.rem_euclid(apart) != 0 {
                 continue;
             }
-            let factors: &[f64] = if decades < 2.5 { &[1.0, 2.0, 5.0] } else { &[1.0] };
-            all.extend(factors.iter().map(|f| f * decade(k)).filter(|v| self.holds(*v)));
+            let factors: &[u32] = if decades < 2.5 { &[1, 2, 5] } else { &[1] };
+            all.extend(factors.iter().map(|f| round(*f, k)).filter(|v| self.holds(*v)));
         }
         all
     }
 }
 
-fn decade(k: i32) -> f64 {
-    // Through text, so that 1e-3 is the number that is written so.
-    format!("1e{k}").parse().unwrap_or(1.0)
+fn round(factor: u32, exponent: i32) -> f64 {
+    // Through text, so that 5e-6 is the number that is written so.
+    format!("{factor}e{exponent}").parse().unwrap_or(1.0)
 }
 
 /// A value as it stands at a tick: 1e-6, 0.02, 500.
@@ -140,6 +140,9 @@ mod tests {
         assert_eq!(LogAxis::new(0.9, 110.0, 0.0, 1.0).ticks(), [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0]);
         let wide = LogAxis::new(1e-12, 10.0, 0.0, 1.0).ticks();
         assert!(wide.len() >= 5 && wide.len() <= 8, "{wide:?}");
+        let small: Vec<String> =
+            LogAxis::new(1.5e-6, 6e-6, 0.0, 1.0).ticks().into_iter().map(label).collect();
+        assert_eq!(small, ["2e-6", "5e-6"]);
         assert_eq!([label(1e-6), label(0.02), label(500.0)], ["1e-6", "0.02", "500"]);
         assert_eq!(
             [short(0.0123456), short(1235.4), short(1.2345e-7), short(0.0)],

@@ -104,10 +104,11 @@ const WIDTH: f64 = 440.0;
 pub fn panels(records: &[Race]) -> [Svg; 2] {
     let heats = heats(records);
     let time = |heat: &Heat<'_>, row: &Race| row.median_ms / heat.base_ms;
-    let overlap = |_: &Heat<'_>, row: &Race| 1e3 * row.overlap_m;
+    // Less than a micrometre is none.
+    let overlap = |_: &Heat<'_>, row: &Race| if row.overlap_m < 1e-6 { 1e-3 } else { 1e3 * row.overlap_m };
     [
         dots("time over merev's (left of 1: faster than merev)", &heats, &time, Some(1.0)),
-        dots("worst overlap at the end [mm] (left is better)", &heats, &overlap, None),
+        dots("worst overlap [mm] (left is better; from 0.001)", &heats, &overlap, None),
     ]
 }
 

@@ -126,7 +126,7 @@ fn stability(data: &Data) -> String {
             mine.max_by(|a, b| strength(a).total_cmp(&strength(b)))
         };
         let most = own.iter().map(|o| strength(o)).fold(0.0, f64::max);
-        let unit = if r.unit.is_empty() { String::new() } else { format!(" [{}]", r.unit) };
+        let unit = if matches!(r.unit.as_str(), "" | "1") { String::new() } else { format!(" [{}]", r.unit) };
         let mut row = vec![r.scene.clone(), format!("{}{unit}", r.stressor)];
         row.extend(engines.iter().map(|e| {
             best(e).map_or(String::new(), |o| bold(cell_text(o), strength(o) == most && most > 0.0))

@@ -39,7 +39,8 @@ impl<'a> Map<'a> {
                 });
             }
         }
-        columns.sort_by(|a, b| (palette::rank(&a.0), &a.1).cmp(&(palette::rank(&b.0), &b.1)));
+        // The methods of an engine stay in the order in which they were run, its own first.
+        columns.sort_by(|a, b| palette::rank(&a.0).cmp(&palette::rank(&b.0)));
         for row in &mut rows {
             let of = |(engine, method): &(String, String)| {
                 records.iter().find(|r| {
@@ -76,7 +77,7 @@ impl Row<'_> {
 
     /// The stressor with its unit.
     pub fn name(&self) -> String {
-        let unit = if self.unit.is_empty() { String::new() } else { format!(" [{}]", self.unit) };
+        let unit = if matches!(self.unit, "" | "1") { String::new() } else { format!(" [{}]", self.unit) };
         format!("{}{unit}", self.stressor)
     }
 }
@@ -165,7 +166,8 @@ pub fn html(records: &[Stability]) -> String {
     let map = Map::new(records);
     let mut out = String::from("<table class=\"map\"><thead><tr><th>scene</th><th>stressor</th>");
     for (engine, method) in &map.columns {
-        let (name, method) = (escape(&palette::title(engine)), escape(method).replace('/', "/<wbr>"));
+        let (name, method) =
+            (escape(&palette::title(engine)), escape(method).replace('/', "/<wbr>").replace('_', "_<wbr>"));
         out += &format!("<th data-e=\"{}\">{name}<small>{method}</small></th>", escape(engine));
     }
     out += "</tr></thead><tbody>\n";

@@ -4,7 +4,7 @@ use super::axis::short;
 use super::data::{Data, Entrant};
 use super::palette::title;
 use super::pareto;
-use super::settings::{FLOOR, Setting};
+use super::settings::Setting;
 use crate::records::{Outcome, Race, Stability};
 
 /// Whether an engine is merev, called through Rust or through C.
@@ -80,11 +80,14 @@ pub fn precision(data: &Data, tolerance: f64) -> Vec<Duel> {
     each(data, |scene, entrant| pareto::cost_of(&data.front_of(scene, entrant), tolerance))
 }
 
+/// Errors below this are round-off of single precision: who is less wrong then is chance.
+const EXACT: f64 = 1e-6;
+
 /// Who is more exact as it comes, whatever it costs.
 pub fn defaults(data: &Data) -> Vec<Duel> {
     each(data, |scene, entrant| {
         let own = |s: &&Setting| s.scene == scene && s.engine == entrant.engine && s.as_it_comes;
-        data.settings.iter().filter(own).filter_map(|s| s.error).map(|e| e.max(FLOOR)).reduce(f64::min)
+        data.settings.iter().filter(own).filter_map(|s| s.error).map(|e| e.max(EXACT)).reduce(f64::min)
     })
 }
 

@@ -31,7 +31,8 @@ pub fn draw(scene: &SceneRow, settings: &[(usize, &Setting)], titled: bool) -> S
     }
 
     let points = settings.iter().filter_map(|(_, s)| s.point());
-    let null_error = scene.null_error.filter(|e| e.is_finite() && *e > 0.0);
+    // Where things should stay where they are, nothing but round-off is wrong if nothing moves.
+    let null_error = scene.null_error.filter(|e| e.is_finite() && *e > 1e-9);
     let costs = settings.iter().filter_map(|(_, s)| s.cost_ms);
     let x = LogAxis::around(costs, LEFT, WIDTH - RIGHT);
     let errors = points.map(|p| p.1.min(TOP_ERROR)).chain(null_error.map(|e| e.clamp(FLOOR, TOP_ERROR)));

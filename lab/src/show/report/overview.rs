@@ -42,7 +42,7 @@ pub fn overview(data: &Data) -> String {
          knowledge which nobody has beforehand, so it takes no part in the verdicts.</p>\n<div class=\"verdicts\">\n",
     );
     if !data.settings.is_empty() {
-        out += &card("Error as it comes, default settings", &verdict(&verdict::defaults(data)));
+        out += &card("Error at default settings (below 1e-6: even)", &verdict(&verdict::defaults(data)));
     }
     for tolerance in TOLERANCES {
         let about = format!("Least cost at error ≤ {}", label(tolerance));
@@ -145,7 +145,9 @@ fn budget_table(data: &Data, entrants: &[Entrant]) -> String {
         for (curves, _) in curves.iter().zip(TOLERANCES) {
             for budget in BUDGETS_MS {
                 let share = curves[k].at(budget);
-                let best = curves.iter().all(|c| c.at(budget) <= share) && share > 0.0;
+                let rivals = entrants.iter().zip(curves).filter(|(e, _)| e.choice.is_none());
+                let leads = rivals.map(|(_, c)| c.at(budget)).all(|other| other <= share);
+                let best = leads && share > 0.0 && entrant.choice.is_none();
                 let text = format!("{:.0} %", 100.0 * share);
                 out += &if best { format!("<td><b>{text}</b></td>") } else { format!("<td>{text}</td>") };
             }
