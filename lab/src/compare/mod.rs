@@ -54,10 +54,19 @@ struct Findings {
     volumes: Vec<Volume>,
     /// What the same work of engines other than merev costs now over what it did: how fast this machine is today.
     pace: f64,
+    /// By which factor costs differ without anything having changed: the option, or more if the costs of the other
+    /// engines say so.
+    noise: f64,
+    /// Runs of merev that took too long now and did not before.
+    newly_late: usize,
 }
 
 /// An error may grow by this factor, at a default setting, before that alone is a regression.
 const GROWTH: f64 = 1.1;
+
+/// Whether a run takes too long can hang on a moment of the machine; so many of merev's that newly do, as a share of
+/// all, are chance.
+const LATE: f64 = 0.02;
 
 /// Compares the records in `directory` with the baseline: what to print, and whether merev got worse.
 ///
@@ -112,25 +121,43 @@ fn find(base: &Baseline, now: &[WorkPrecision], noise: f64) -> Findings {
             });
         }
     }
-    let pace = pace(&pairs);
-    let old: Vec<WorkPrecision> = pairs.iter().map(|(b, _)| (*b).clone()).collect();
-    let new: Vec<WorkPrecision> = pairs
+    let (pace, spread) = pace(&pairs);
+    let noise = noise.max(spread);
+    let late = |(b, a): &&(&WorkPrecision, &WorkPrecision)| {
+        b.outcome == Outcome::Timeout || a.outcome == Outcome::Timeout
+    };
+    let newly_late = pairs.iter().filter(|(b, a)| {
+        is_ours(&a.engine) && a.outcome == Outcome::Timeout && b.outcome != Outcome::Timeout
+    });
+    let newly_late = newly_late.count();
+    // A run that took too long in one of the two is no measurement of the other.
+    let in_time: Vec<_> = pairs.iter().filter(|pair| !late(pair)).collect();
+    let old: Vec<WorkPrecision> = in_time.iter().map(|(b, _)| (*b).clone()).collect();
+    let new: Vec<WorkPrecision> = in_time
         .iter()
         .map(|(_, a)| WorkPrecision { cost_ms: a.cost_ms.map(|c| c / pace), ..(*a).clone() })
         .collect();
     let volumes = volumes(base, &old, &new, noise);
-    Findings { common: pairs.len(), same: pairs.len() - changes.len(), changes, volumes, pace }
+    let (common, same) = (pairs.len(), pairs.len() - changes.len());
+    Findings { common, same, changes, volumes, pace, noise, newly_late }
 }
 
-/// The median ratio of costs of the engines that are not merev; 1 with too few of them.
-fn pace(pairs: &[(&WorkPrecision, &WorkPrecision)]) -> f64 {
+/// The median ratio of costs of the engines that are not merev, and the factor around it within which 99 of 100 of
+/// them lie; 1 and 1 with too few of them.
+fn pace(pairs: &[(&WorkPrecision, &WorkPrecision)]) -> (f64, f64) {
     let others = pairs.iter().filter(|(b, _)| !is_ours(&b.engine));
     let mut ratios: Vec<f64> = others
         .filter_map(|(b, a)| Some(a.cost_ms? / b.cost_ms?))
         .filter(|r| r.is_finite() && *r > 0.0)
         .collect();
+    if ratios.len() < 10 {
+        return (1.0, 1.0);
+    }
     ratios.sort_by(f64::total_cmp);
-    if ratios.len() < 10 { 1.0 } else { ratios[ratios.len() / 2] }
+    let pace = ratios[ratios.len() / 2];
+    let mut off: Vec<f64> = ratios.iter().map(|r| (r / pace).max(pace / r)).collect();
+    off.sort_by(f64::total_cmp);
+    (pace, off[(off.len() - 1) * 99 / 100])
 }
 
 fn volumes(base: &Baseline, old: &[WorkPrecision], new: &[WorkPrecision], noise: f64) -> Vec<Volume> {
@@ -165,10 +192,16 @@ impl Change {
                 let floor = crate::show::settings::FLOOR;
                 a.max(floor) / b.max(floor)
             }
+            ((_, _), (Outcome::Timeout, _)) | ((Outcome::Timeout, _), (_, _)) => 1.0,
             ((Outcome::Ok, _), (after, _)) if after != Outcome::Ok => f64::INFINITY,
             ((before, _), (Outcome::Ok, _)) if before != Outcome::Ok => 0.0,
             _ => 1.0,
         }
+    }
+
+    /// Whether a run took too long, before or now.
+    fn is_late(&self) -> bool {
+        self.before.0 == Outcome::Timeout || self.after.0 == Outcome::Timeout
     }
 
     /// Worse beyond what a change of round-off explains.
@@ -193,7 +226,8 @@ impl Findings {
         let ours = |change: &&Change| is_ours(&change.engine);
         self.changes.iter().any(Change::is_regression)
             || self.volumes.iter().any(|v| is_ours(&v.engine) && v.is_worse())
-            || (options.exact && self.changes.iter().filter(ours).count() > 0)
+            || self.newly_late as f64 > (LATE * self.common as f64).max(3.0)
+            || (options.exact && self.changes.iter().filter(ours).any(|c| !c.is_late()))
     }
 }
 

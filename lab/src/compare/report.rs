@@ -29,9 +29,16 @@ pub fn text(findings: &Findings, options: &Options, machines: &(Option<String>, 
             findings.pace
         );
     }
-    out += &changes("Worse", findings, |c| c.growth() > 1.0);
-    out += &changes("Better", findings, |c| c.growth() < 1.0);
-    out += &volumes(findings, options);
+    if findings.noise > options.noise {
+        out += &format!(
+            "Costs of the other engines differ by up to {:.2} times from that, so that is the noise here.\n",
+            findings.noise
+        );
+    }
+    out += &changes("Worse: errors and outcomes", findings, |c| c.growth() > 1.0);
+    out += &changes("Better: errors and outcomes", findings, |c| c.growth() < 1.0);
+    out += &changes("Took too long in one of the two, and does not count", findings, Change::is_late);
+    out += &volumes(findings);
     out += &medians(findings);
     out +=
         if findings.is_regression(options) { "\nmerev got worse.\n" } else { "\nmerev did not get worse.\n" };
@@ -66,10 +73,10 @@ fn changes(title: &str, findings: &Findings, choose: impl Fn(&Change) -> bool) -
     }
     let more = chosen.len().saturating_sub(SHOWN);
     let more = if more > 0 { format!("and {more} more\n") } else { String::new() };
-    format!("\n{title}: errors and outcomes\n{table}{more}")
+    format!("\n{title}\n{table}{more}")
 }
 
-fn volumes(findings: &Findings, options: &Options) -> String {
+fn volumes(findings: &Findings) -> String {
     let mut out = String::new();
     for (title, choose) in [("Worse", Volume::is_worse as fn(&Volume) -> bool), ("Better", Volume::is_better)]
     {
@@ -85,8 +92,8 @@ fn volumes(findings: &Findings, options: &Options) -> String {
             table.row([v.scene.clone(), v.engine.clone(), before, after, least, most]);
         }
         out += &format!(
-            "\n{title}: hypervolumes, with costs {} times as high and as low\n{table}",
-            options.noise
+            "\n{title}: hypervolumes, with costs {:.2} times as high and as low\n{table}",
+            findings.noise
         );
     }
     out

@@ -50,6 +50,35 @@ fn a_slow_day_slows_the_others_too() {
 }
 
 #[test]
+fn engines_that_did_not_change_tell_the_noise() {
+    let both = |factor: f64| -> Vec<WorkPrecision> {
+        let cost = |k: i32| if k % 2 == 0 { 1.0 } else { factor };
+        let others = (0..12).map(|k| run("s", "box3d", 30.0 + f64::from(k), cost(k), 0.1));
+        ladder("merev").into_iter().chain(others).collect()
+    };
+    let mut now = both(1.5);
+    now.iter_mut().filter(|r| r.engine == "merev").for_each(|r| r.cost_ms = r.cost_ms.map(|c| 1.4 * c));
+    let findings = find(&base(both(1.0)), &now, 1.25);
+    assert_eq!((findings.pace, findings.noise), (1.5, 1.5));
+    assert!(!findings.is_regression(&OPTIONS));
+}
+
+#[test]
+fn a_few_runs_that_take_too_long_are_chance() {
+    let mut now = ladder("merev");
+    (now[2].outcome, now[2].error) = (Outcome::Timeout, None);
+    let findings = find(&base(ladder("merev")), &now, 1.25);
+    assert_eq!((findings.newly_late, findings.is_regression(&OPTIONS)), (1, false));
+    assert!(report::text(&findings, &OPTIONS, &(None, None)).contains("Took too long"));
+    let many = |outcome| -> Vec<WorkPrecision> {
+        let late = |k: i32| WorkPrecision { outcome, ..run("s", "merev", 61.0 + f64::from(k), 1.0, 0.1) };
+        (0..4).map(late).collect()
+    };
+    let findings = find(&base(many(Outcome::Ok)), &many(Outcome::Timeout), 1.25);
+    assert!(findings.is_regression(&OPTIONS));
+}
+
+#[test]
 fn errors_that_grow_and_runs_that_fail_are_regressions() {
     let changed = |at: usize, change: &dyn Fn(&mut WorkPrecision)| {
         let mut now = ladder("merev");
