@@ -3,6 +3,7 @@
 
 use super::axis::short;
 use super::palette;
+use super::settings::distinct;
 use super::svg::{Anchor, FAINT, INK, Svg, escape};
 use crate::records::Stability;
 
@@ -39,8 +40,13 @@ impl<'a> Map<'a> {
                 });
             }
         }
-        // The methods of an engine stay in the order in which they were run, its own first.
-        columns.sort_by(|a, b| palette::rank(&a.0).cmp(&palette::rank(&b.0)));
+        // What engines come with stands side by side, then what else they have, each in the order of the runs, in
+        // which an engine's own method is the first.
+        let own: Vec<(String, String)> = distinct(columns.iter().map(|c| c.0.as_str()))
+            .into_iter()
+            .filter_map(|e| columns.iter().find(|c| c.0 == e).cloned())
+            .collect();
+        columns.sort_by_key(|c| (!own.contains(c), palette::rank(&c.0).0, c.0.clone()));
         for row in &mut rows {
             let of = |(engine, method): &(String, String)| {
                 records.iter().find(|r| {
@@ -223,6 +229,15 @@ mod tests {
         assert!(grey(1.0) < grey(0.5) && grey(0.5) < grey(0.2) && grey(0.2) < grey(0.0));
         let texts: Vec<String> = records.iter().map(cell_text).collect();
         assert_eq!(texts, ["≥ 1000", "10", "none"]);
+    }
+
+    #[test]
+    fn what_engines_come_with_stands_side_by_side() {
+        let other = Stability { method: "lemke".into(), ..row("merev", Some(1.0), None) };
+        let records = [row("merev", None, None), other, row("box3d", None, None)];
+        let names: Vec<String> =
+            Map::new(&records).columns.into_iter().map(|c| c.0 + " " + &c.1[..5]).collect();
+        assert_eq!(names, ["merev soft_", "box3d soft_", "merev lemke"]);
     }
 
     #[test]

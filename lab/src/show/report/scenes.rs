@@ -165,7 +165,7 @@ fn methods(settings: &[(usize, &Setting)], engines: &[String]) -> String {
                  <td>{failed} of {}</td></tr>\n",
                 escape(engine),
                 escape(&palette::title(engine)),
-                escape(&method),
+                escape(&method).replace('/', "/<wbr>").replace('_', "_<wbr>"),
                 escape(&precision),
                 short(least),
                 ran.len()
