@@ -60,7 +60,7 @@ fn see(browser: &Path, folder: &Path, width: u32) -> serde_json::Value {
     let output = Command::new(browser)
         .args(["--headless", "--no-sandbox", "--disable-gpu", "--dump-dom", "--virtual-time-budget=5000"])
         .arg(format!("--user-data-dir={}", folder.join("profile").display()))
-        .args(["--hide-scrollbars", "--window-size=1400,900"])
+        .args(["--hide-scrollbars", "--window-size=1400,900", "--timeout=30000"])
         .arg(format!("file://{}", folder.join("around.html").display()))
         .output()
         .unwrap();
