@@ -1,14 +1,18 @@
 //! The lab of merev: scenes, measurements and replay pages.
 
 mod bounce;
+mod compare;
 mod engines;
 mod joints;
 mod programs;
 mod progress;
 mod race;
+#[allow(dead_code, reason = "written by what measures, read by what shows")]
+mod records;
 mod replay;
 mod scene;
 mod scenes;
+mod show;
 mod table;
 mod tour;
 
@@ -56,6 +60,36 @@ enum Command {
         #[arg(long)]
         out: Option<PathBuf>,
     },
+    /// Draw all charts and the page anew from what was measured.
+    Report {
+        /// The directory with the records.
+        #[arg(long, default_value = "target/lab")]
+        out: PathBuf,
+        /// Draw the chart and the tables of the README instead, into this folder of documents.
+        #[arg(long)]
+        readme: Option<PathBuf>,
+    },
+    /// Say what got better or worse since the baseline.
+    Compare {
+        /// The directory with the records.
+        #[arg(long, default_value = "target/lab")]
+        out: PathBuf,
+        /// The directory with the baseline.
+        #[arg(long, default_value = "lab/baseline")]
+        baseline: PathBuf,
+        /// By which factor costs may differ without anything having changed.
+        #[arg(long, default_value_t = 1.25)]
+        noise: f64,
+        /// Fail if merev got worse.
+        #[arg(long)]
+        strict: bool,
+        /// Take a single bit of merev's errors that differs for worse.
+        #[arg(long)]
+        exact: bool,
+        /// Make what was measured the baseline.
+        #[arg(long)]
+        accept: bool,
+    },
 }
 
 fn main() -> ExitCode {
@@ -97,6 +131,22 @@ fn run(arguments: Arguments) -> Result<String, String> {
                     .map_err(|e| format!("{} is not written: {e}", path.display()))?;
             }
             Ok(report)
+        }
+        Some(Command::Report { out, readme: Some(documents) }) => show::readme::write(&out, &documents),
+        Some(Command::Report { out, readme: None }) => {
+            show::charts(&out)?;
+            show::stability(&out)?;
+            show::race(&out)?;
+            show::report(&out)?;
+            Ok(format!("{}\n", out.join("report.html").display()))
+        }
+        Some(Command::Compare { out, baseline, accept: true, .. }) => compare::accept(&out, &baseline),
+        Some(Command::Compare { out, baseline, noise, strict, exact, .. }) => {
+            if !(noise.is_finite() && noise >= 1.0) {
+                return Err("--noise is a factor of at least 1".into());
+            }
+            let (text, is_worse) = compare::run(&out, &baseline, &compare::Options { noise, exact })?;
+            if strict && is_worse { Err(format!("\n{text}")) } else { Ok(text) }
         }
     }
 }
