@@ -7,6 +7,7 @@ use crate::progress;
 use crate::scene::Scene;
 use crate::scenes::joints;
 use crate::table::{Table, length};
+use crate::vector::{Q4, V3, add, conjugate, norm, rotate};
 
 /// A scene, what is measured, after how many steps, and where the tip should be then.
 type Golden = (fn() -> Scene, &'static str, usize, [f64; 2]);
@@ -24,15 +25,15 @@ const GOLDEN: [Golden; 5] = [
 const PERIOD: f64 = 2.367_841_9;
 
 /// The turn of the second run: anything that no axis has a part in.
-const TURN: [f64; 4] = [0.2, -0.5, 0.3, 0.787_400_787_401_181];
+const TURN: Q4 = [0.2, -0.5, 0.3, 0.787_400_787_401_181];
 
 /// Runs all of it and gives the report.
 pub fn run(peers: bool) -> String {
-    let makers: Vec<Maker> = engines::ALL.iter().copied().take(if peers { usize::MAX } else { 1 }).collect();
+    let makers: Vec<Maker> = engines::racers(peers);
     let mut table =
         Table::new(&[&["quantity"][..], &makers.iter().map(|m| m.name).collect::<Vec<_>>()].concat());
     let bar = progress::bar((GOLDEN.len() + 6) as u64, "joints");
-    let mut line = |name: &str, measure: &dyn Fn(&Maker, Option<[f64; 4]>) -> String| {
+    let mut line = |name: &str, measure: &dyn Fn(&Maker, Option<Q4>) -> String| {
         let cells = makers.iter().map(|m| {
             let (a, b) = (measure(m, None), measure(m, Some(TURN)));
             if a == b { a } else { format!("{a} / {b}") }
@@ -45,7 +46,7 @@ pub fn run(peers: bool) -> String {
     for (scene, name, step, tip) in GOLDEN {
         line(name, &|m, turn| length(off(m, &scene(), step, tip, turn)));
     }
-    for last in [1.0_f32, 100.0, 1e4] {
+    for last in [1.0, 100.0, 1e4] {
         let name = format!("20 links hanging 10 s, the last {last} kg: stretched by");
         line(&name, &|m, turn| length(stretch(m, last, turn)));
     }
@@ -56,44 +57,33 @@ pub fn run(peers: bool) -> String {
 }
 
 /// The scene turned as a whole, gravity included.
-fn turned(scene: &Scene, turn: Option<[f64; 4]>) -> Scene {
-    let mut scene = scene.clone();
-    let Some(q) = turn else { return scene };
-    let v = |x: [f32; 3]| rotate(q, x.map(f64::from)).map(|c| c as f32);
-    scene.gravity = v(scene.gravity);
-    for body in &mut scene.bodies {
-        body.position = v(body.position);
-        body.velocity = v(body.velocity);
-        body.rotation = times(q, body.rotation.map(f64::from)).map(|c| c as f32);
-    }
-    scene
+fn turned(scene: &Scene, turn: Option<Q4>) -> Scene {
+    turn.map_or_else(|| scene.clone(), |q| scene.turned(q))
 }
 
 fn build(maker: &Maker, scene: &Scene) -> Box<dyn Engine> {
-    (maker.build)(scene)
+    maker.race(scene).expect("an engine that has ball joints")
 }
 
 /// A point of a body, turned back.
-fn point(motion: &Motion, local: [f64; 3], turn: Option<[f64; 4]>) -> [f64; 3] {
-    let r = rotate(motion.rotation.map(f64::from), local);
-    let p = [0, 1, 2].map(|k| f64::from(motion.position[k]) + r[k]);
-    let Some([x, y, z, w]) = turn else { return p };
-    rotate([-x, -y, -z, w], p)
+fn point(motion: &Motion, local: V3, turn: Option<Q4>) -> [f64; 3] {
+    let p = add(motion.position, rotate(motion.rotation, local));
+    turn.map_or(p, |q| rotate(conjugate(q), p))
 }
 
 /// How far the tip is from where it should be \[m\].
-fn off(maker: &Maker, scene: &Scene, step: usize, tip: [f64; 2], turn: Option<[f64; 4]>) -> f64 {
+fn off(maker: &Maker, scene: &Scene, step: usize, tip: [f64; 2], turn: Option<Q4>) -> f64 {
     let mut engine = build(maker, &turned(scene, turn));
     (0..step).for_each(|_| engine.step());
     let mut motions = Vec::new();
     engine.motions(&mut motions);
-    let last = scene.balls.last().expect("a chain");
-    let p = point(&motions[motions.len() - 1], last.local[1].map(|c| -f64::from(c)), turn);
+    let last = scene.joints.last().expect("a chain");
+    let p = point(&motions[motions.len() - 1], last.local[1].map(|c| -c), turn);
     norm([p[0] - tip[0], p[1] - tip[1], p[2]])
 }
 
 /// The relative error of a pendulum's period, and the greatest error of its length \[m\].
-fn pendulum(maker: &Maker, turn: Option<[f64; 4]>) -> (f64, f64) {
+fn pendulum(maker: &Maker, turn: Option<Q4>) -> (f64, f64) {
     let scene = joints::pendulum();
     let mut engine = build(maker, &turned(&scene, turn));
     let (mut motions, mut last, mut crossings, mut gap) = (Vec::new(), 1.0, Vec::new(), 0.0_f64);
@@ -103,7 +93,7 @@ fn pendulum(maker: &Maker, turn: Option<[f64; 4]>) -> (f64, f64) {
         let p = point(&motions[0], [0.0; 3], turn);
         gap = gap.max((norm(p) - 1.0).abs());
         if last > 0.0 && p[0] <= 0.0 {
-            crossings.push((step as f64 - p[0] / (p[0] - last)) * f64::from(scene.dt));
+            crossings.push((step as f64 - p[0] / (p[0] - last)) * scene.dt);
         }
         last = p[0];
     }
@@ -113,7 +103,7 @@ fn pendulum(maker: &Maker, turn: Option<[f64; 4]>) -> (f64, f64) {
 }
 
 /// How much longer than 4 m a hanging chain is \[m\].
-fn stretch(maker: &Maker, last: f32, turn: Option<[f64; 4]>) -> f64 {
+fn stretch(maker: &Maker, last: f64, turn: Option<Q4>) -> f64 {
     let scene = joints::hanging_chain(last);
     let mut engine = build(maker, &turned(&scene, turn));
     (0..scene.steps).for_each(|_| engine.step());
@@ -121,25 +111,4 @@ fn stretch(maker: &Maker, last: f32, turn: Option<[f64; 4]>) -> f64 {
     engine.motions(&mut motions);
     let end = point(&motions[motions.len() - 1], [0.1, 0.0, 0.0], turn);
     (norm(end) - 4.0).abs()
-}
-
-fn norm(v: [f64; 3]) -> f64 {
-    (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt()
-}
-
-/// Of quaternions x, y, z, w.
-fn times([ax, ay, az, aw]: [f64; 4], [bx, by, bz, bw]: [f64; 4]) -> [f64; 4] {
-    [
-        aw * bx + ax * bw + ay * bz - az * by,
-        aw * by - ax * bz + ay * bw + az * bx,
-        aw * bz + ax * by - ay * bx + az * bw,
-        aw * bw - ax * bx - ay * by - az * bz,
-    ]
-}
-
-fn rotate(q: [f64; 4], v: [f64; 3]) -> [f64; 3] {
-    let [x, y, z, w] = q;
-    let p = times(times(q, [v[0], v[1], v[2], 0.0]), [-x, -y, -z, w]);
-    let size = x * x + y * y + z * z + w * w;
-    [p[0] / size, p[1] / size, p[2] / size]
 }

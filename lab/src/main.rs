@@ -1,20 +1,25 @@
 //! The lab of merev: scenes, measurements and replay pages.
 
 mod bounce;
+mod case;
 mod compare;
 mod engines;
 mod joints;
+mod measure;
+mod metrics;
 mod programs;
 mod progress;
 mod race;
 #[allow(dead_code, reason = "written by what measures, read by what shows")]
 mod records;
+mod references;
 mod replay;
 mod scene;
 mod scenes;
 mod show;
 mod table;
 mod tour;
+mod vector;
 
 use clap::{Parser, Subcommand};
 use std::io::Write;
@@ -40,10 +45,26 @@ enum Command {
         #[arg(long)]
         peers: bool,
     },
-    /// Time a scene, and say how good the result is.
+    /// Chart speed against accuracy: every case on every method with many settings.
+    Chart {
+        #[command(flatten)]
+        files: Files,
+    },
+    /// Find where methods fail: the hardest mass ratio, height, step, speed … that each survives.
+    Stability {
+        #[command(flatten)]
+        files: Files,
+    },
+    /// Time a scene, and say how good the result is. Without a scene: all of them, into race.csv.
     Race {
         /// The scene, see `merev list`.
-        scene: String,
+        scene: Option<String>,
+        /// Of all scenes, a little.
+        #[arg(long)]
+        quick: bool,
+        /// Of all scenes: begin anew instead of going on.
+        #[arg(long)]
+        fresh: bool,
         /// Run it on the other engines too (needs the feature `peers`).
         #[arg(long)]
         peers: bool,
@@ -56,7 +77,7 @@ enum Command {
         /// Say what each engine says its stages took.
         #[arg(long)]
         stages: bool,
-        /// Write the report into this file too.
+        /// Write the report into this file too; of all scenes, the directory for the files.
         #[arg(long)]
         out: Option<PathBuf>,
     },
@@ -92,6 +113,44 @@ enum Command {
     },
 }
 
+/// What the commands that measure are told.
+#[derive(clap::Args)]
+struct Files {
+    /// Little of everything, in a few minutes.
+    #[arg(long)]
+    quick: bool,
+    /// Where the files go; by default target/lab.
+    #[arg(long)]
+    out: Option<PathBuf>,
+    /// On the other engines too (needs the feature `peers`).
+    #[arg(long)]
+    peers: bool,
+    /// Begin anew: else what is in the files is not measured again.
+    #[arg(long)]
+    fresh: bool,
+    /// Only scenes whose name has this in it.
+    #[arg(long)]
+    only: Option<String>,
+}
+
+impl Files {
+    fn options(self) -> Result<measure::Options, String> {
+        if self.peers && !engines::has_peers() {
+            return Err(NO_PEERS.into());
+        }
+        let directory = self.out.unwrap_or_else(|| PathBuf::from("target/lab"));
+        Ok(measure::Options {
+            directory,
+            quick: self.quick,
+            fresh: self.fresh,
+            peers: self.peers,
+            only: self.only,
+        })
+    }
+}
+
+const NO_PEERS: &str = "no peers were built in; build with `--features peers`";
+
 fn main() -> ExitCode {
     match run(Arguments::parse()) {
         Ok(text) => {
@@ -112,20 +171,25 @@ fn run(arguments: Arguments) -> Result<String, String> {
         None => tour::run(),
         Some(Command::List) => Ok(list()),
         Some(Command::Joints { peers }) => {
-            if peers && engines::ALL.len() == 1 {
-                return Err("no peers were built in; build with `--features peers`".into());
+            if peers && !engines::has_peers() {
+                return Err(NO_PEERS.into());
             }
             Ok(joints::run(peers))
         }
-        Some(Command::Race { scene, peers, steps, repeats, stages, out }) => {
-            if peers && engines::ALL.len() == 1 {
-                return Err("no peers were built in; build with `--features peers`".into());
+        Some(Command::Chart { files }) => shown(files, measure::chart::run, show::charts),
+        Some(Command::Stability { files }) => shown(files, measure::stability::run, show::stability),
+        Some(Command::Race { scene: None, quick, fresh, peers, out, .. }) => {
+            shown(Files { quick, out, peers, fresh, only: None }, measure::race::run, show::race)
+        }
+        Some(Command::Race { scene: Some(scene), peers, steps, repeats, stages, out, .. }) => {
+            if peers && !engines::has_peers() {
+                return Err(NO_PEERS.into());
             }
             let scene =
                 scenes::find(&scene).ok_or(format!("there is no scene `{scene}`; see `merev list`"))?;
             let steps = steps.map_or(scene.steps, |n| n as usize);
             let report =
-                race::run(&scene, &race::Options { steps, repeats: repeats as usize, peers, stages });
+                race::run(&scene, &race::Options { steps, repeats: repeats as usize, peers, stages })?;
             if let Some(path) = out {
                 std::fs::write(&path, &report)
                     .map_err(|e| format!("{} is not written: {e}", path.display()))?;
@@ -149,6 +213,19 @@ fn run(arguments: Arguments) -> Result<String, String> {
             if strict && is_worse { Err(format!("\n{text}")) } else { Ok(text) }
         }
     }
+}
+
+/// Measures, draws what there is to draw, and writes the page anew.
+fn shown(
+    files: Files,
+    measure: fn(&measure::Options) -> Result<String, String>,
+    draw: fn(&std::path::Path) -> Result<(), String>,
+) -> Result<String, String> {
+    let options = files.options()?;
+    let text = measure(&options)?;
+    draw(&options.directory)?;
+    show::report(&options.directory)?;
+    Ok(format!("{text}\n{}\n", options.directory.join("report.html").display()))
 }
 
 fn list() -> String {

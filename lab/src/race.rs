@@ -2,8 +2,10 @@
 
 use crate::engines::{self, Maker, Motion, merev::Merev};
 use crate::progress;
-use crate::scene::{Kind, Scene};
+use crate::records::Race;
+use crate::scene::Scene;
 use crate::table::{Table, length, milliseconds, share};
+use merev::world::StepReport;
 use std::time::Instant;
 
 /// What to run.
@@ -22,23 +24,59 @@ struct Entry {
     maker: Maker,
     /// Mean time of a step, the first one left out, for each repeat \[ms\].
     times: Vec<f64>,
+    /// Of the first step, for each repeat \[ms\].
+    first: Vec<f64>,
     motions: Vec<Motion>,
+    /// What the engine says of its last step \[m/s\].
+    residual: Option<f64>,
     /// Sums over all timed steps \[ms\].
     stages: Vec<(&'static str, f64)>,
 }
 
 /// Runs the scene on the engines in turn, `repeats` times, so that what else the machine does meets all of them
 /// alike, and gives the report.
-pub fn run(scene: &Scene, options: &Options) -> String {
-    let makers = engines::ALL.iter().take(if options.peers { usize::MAX } else { 1 });
-    let mut entries: Vec<Entry> = makers
-        .map(|&maker| Entry { maker, times: Vec::new(), motions: Vec::new(), stages: Vec::new() })
-        .collect();
-    let bar = progress::bar((options.repeats * entries.len() * options.steps) as u64, scene.name);
+///
+/// # Errors
+/// Why an engine refuses the scene.
+pub fn run(scene: &Scene, options: &Options) -> Result<String, String> {
+    let bar = progress::bar(length_of(scene, options), scene.name);
+    let entries = race(scene, options, &|steps| bar.inc(steps))?;
+    bar.finish_and_clear();
+    Ok(report(scene, options, &entries))
+}
+
+/// How many steps a race takes.
+pub fn length_of(_: &Scene, options: &Options) -> u64 {
+    (options.repeats * engines::racers(options.peers).len() * options.steps) as u64
+}
+
+/// The same, as rows of race.csv.
+///
+/// # Errors
+/// Why an engine refuses the scene.
+pub fn rows(scene: &Scene, options: &Options, advance: &dyn Fn(u64)) -> Result<Vec<Race>, String> {
+    let entries = race(scene, options, advance)?;
+    let start = Motion::start(scene);
+    let before = Merev::measure(scene, &start);
+    Ok(entries.iter().map(|entry| row(scene, options, entry, &start, before.as_ref())).collect())
+}
+
+fn race(scene: &Scene, options: &Options, advance: &dyn Fn(u64)) -> Result<Vec<Entry>, String> {
+    let entry = |maker| Entry {
+        maker,
+        times: Vec::new(),
+        first: Vec::new(),
+        motions: Vec::new(),
+        residual: None,
+        stages: Vec::new(),
+    };
+    let mut entries: Vec<Entry> = engines::racers(options.peers).into_iter().map(entry).collect();
     for _ in 0..options.repeats {
         for entry in &mut entries {
-            let mut engine = (entry.maker.build)(scene);
+            let mut engine = entry.maker.race(scene)?;
+            let start = Instant::now();
             engine.step();
+            entry.first.push(1e3 * start.elapsed().as_secs_f64());
             let start = Instant::now();
             for _ in 1..options.steps {
                 engine.step();
@@ -49,11 +87,11 @@ pub fn run(scene: &Scene, options: &Options) -> String {
             let elapsed = start.elapsed().as_secs_f64();
             entry.times.push(1e3 * elapsed / (options.steps - 1) as f64);
             engine.motions(&mut entry.motions);
-            bar.inc(options.steps as u64);
+            entry.residual = engine.residual();
+            advance(options.steps as u64);
         }
     }
-    bar.finish_and_clear();
-    report(scene, options, &entries)
+    Ok(entries)
 }
 
 fn add_stages(sums: &mut Vec<(&'static str, f64)>, step: &[(&'static str, f32)]) {
@@ -74,13 +112,36 @@ fn stage_lines(options: &Options, entries: &[Entry]) -> String {
     text
 }
 
+fn row(
+    scene: &Scene,
+    options: &Options,
+    entry: &Entry,
+    start: &[Motion],
+    before: Option<&StepReport>,
+) -> Race {
+    let after = Merev::measure(scene, &entry.motions);
+    let after = after.as_ref();
+    let energy = |r: &StepReport| r.kinetic_energy + r.potential_energy;
+    let of = |f: &dyn Fn(&StepReport) -> f64| after.map_or(f64::NAN, f);
+    Race {
+        scene: scene.name.into(),
+        engine: entry.maker.key.into(),
+        bodies: scene.dynamic_count(),
+        steps: options.steps,
+        median_ms: median(&entry.times),
+        minimum_ms: minimum(&entry.times),
+        first_ms: median(&entry.first),
+        sagged_m: height(start, &entry.motions).1,
+        sideways_m: sideways(start, &entry.motions),
+        overlap_m: of(&|r| f64::from(r.worst_penetration)),
+        joint_gap_m: of(&|r| f64::from(r.joint_gap)),
+        energy_change: of(&|r| before.map_or(f64::NAN, |b| change(energy(b), energy(r)))),
+        residual: entry.residual.unwrap_or(f64::NAN),
+    }
+}
+
 fn report(scene: &Scene, options: &Options, entries: &[Entry]) -> String {
-    let start: Vec<Motion> = scene
-        .bodies
-        .iter()
-        .filter(|b| b.kind == Kind::Dynamic)
-        .map(|b| Motion { position: b.position, rotation: b.rotation, velocity: b.velocity, spin: [0.0; 3] })
-        .collect();
+    let start = Motion::start(scene);
     let before = Merev::measure(scene, &start);
     let ours = median(&entries[0].times);
     let mut table = Table::new(&[
@@ -95,20 +156,17 @@ fn report(scene: &Scene, options: &Options, entries: &[Entry]) -> String {
         "energy change",
     ]);
     for entry in entries {
-        let (middle, least) = (median(&entry.times), minimum(&entry.times));
-        let after = Merev::measure(scene, &entry.motions);
-        let energy = |r: &merev::world::StepReport| r.kinetic_energy + r.potential_energy;
-        let (top, sag) = height(&start, &entry.motions);
+        let row = row(scene, options, entry, &start, before.as_ref());
         table.row([
             entry.maker.name.to_string(),
-            milliseconds(middle),
-            milliseconds(least),
-            format!("{:.2}", ours / middle),
-            length(top),
-            length(sag),
-            length(sideways(&start, &entry.motions)),
-            length(f64::from(after.worst_penetration)),
-            share(change(energy(&before), energy(&after))),
+            milliseconds(row.median_ms),
+            milliseconds(row.minimum_ms),
+            format!("{:.2}", ours / row.median_ms),
+            length(height(&start, &entry.motions).0),
+            length(row.sagged_m),
+            length(row.sideways_m),
+            length(row.overlap_m),
+            share(row.energy_change),
         ]);
     }
     let awake = if scene.sleep { "on" } else { "off" };
@@ -134,7 +192,7 @@ fn change(before: f64, after: f64) -> f64 {
 
 /// Height of the highest centre, and how much the body that began highest has come down \[m\].
 fn height(start: &[Motion], end: &[Motion]) -> (f64, f64) {
-    let y = |m: &Motion| f64::from(m.position[1]);
+    let y = |m: &Motion| m.position[1];
     let top = end.iter().map(y).fold(f64::MIN, f64::max);
     let first = (0..start.len()).max_by(|&i, &k| y(&start[i]).total_cmp(&y(&start[k])));
     (top, first.map_or(0.0, |i| y(&start[i]) - y(&end[i])))
@@ -145,7 +203,7 @@ fn sideways(start: &[Motion], end: &[Motion]) -> f64 {
     let pairs = start.iter().zip(end);
     pairs
         .map(|(a, b)| {
-            let d = |k: usize| f64::from(b.position[k] - a.position[k]);
+            let d = |k: usize| b.position[k] - a.position[k];
             (d(0) * d(0) + d(2) * d(2)).sqrt()
         })
         .fold(0.0, f64::max)
@@ -183,10 +241,10 @@ mod tests {
         scene.bodies.truncate(2);
         let motion =
             Motion { position: [0.0, 0.49, 0.0], rotation: [0.0, 0.0, 0.0, 1.0], ..Motion::default() };
-        let still = Merev::measure(&scene, &[motion]);
+        let still = Merev::measure(&scene, &[motion]).unwrap();
         assert!((still.worst_penetration - 0.01).abs() < 1e-6, "{still:?}");
         assert!((still.potential_energy - 4900.0).abs() < 0.01, "{still:?}");
-        let moving = Merev::measure(&scene, &[Motion { velocity: [2.0, 0.0, 0.0], ..motion }]);
+        let moving = Merev::measure(&scene, &[Motion { velocity: [2.0, 0.0, 0.0], ..motion }]).unwrap();
         assert!((moving.kinetic_energy - 2000.0).abs() < 0.01, "{moving:?}");
     }
 }

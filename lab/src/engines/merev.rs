@@ -1,64 +1,154 @@
 //! merev, through its Rust API; and merev as the ruler that all engines are measured with.
 
-use super::{Engine, Motion};
-use crate::scene::{Form, Kind, Scene};
-use merev::constraint::joint::{JointKind, SphericalJoint};
+use super::{Engine, Method, Motion, Setting};
+use crate::scene::{Form, Hold, Joint, Kind, Scene, Spring};
+use crate::vector::{Q4, V3};
+use merev::constraint::joint::{
+    DistanceJoint, Drive, JointKind, PrismaticJoint, RevoluteJoint, SphericalJoint, Spring as JointSpring,
+    WeldJoint,
+};
+use merev::integrate::IntegratorKind;
 use merev::math::{Pose, Quat};
 use merev::shape::MassData;
+use merev::solver::SolverKind;
 use merev::world::{Filter, JointDef, StepReport, SurfaceMaterial};
 use merev::{BodyDef, BodyId, BodyType, Float, Mat3, Shape, ShapeDef, Vec3, World, WorldDef};
+
+/// Of the build.
+pub const PRECISION: &str = if size_of::<Float>() == 8 { "f64" } else { "f32" };
+
+/// What it comes with first, then the other solvers, then the other integrators.
+pub fn methods() -> Vec<Method> {
+    let (solver, integrator) = (SolverKind::Auto.resolved(), IntegratorKind::MoserVeselov);
+    let method = |s: SolverKind, i: IntegratorKind| Method {
+        solver: s.name(),
+        integrator: i.name(),
+        iterates: s.iterates(),
+    };
+    let mut all = vec![method(solver, integrator)];
+    all.extend(SolverKind::ALL.into_iter().filter(|&s| s != solver).map(|s| method(s, integrator)));
+    all.extend(IntegratorKind::ALL.into_iter().filter(|&i| i != integrator).map(|i| method(solver, i)));
+    all
+}
+
+/// Solver and integrator of a method.
+pub fn kinds(method: &Method) -> (SolverKind, IntegratorKind) {
+    let solver = SolverKind::ALL.into_iter().find(|s| s.name() == method.solver);
+    let integrator = IntegratorKind::ALL.into_iter().find(|i| i.name() == method.integrator);
+    (solver.unwrap_or_default(), integrator.unwrap_or_default())
+}
 
 /// A merev world of a scene.
 pub struct Merev {
     world: World,
-    /// The dynamic bodies.
+    /// All bodies, in the scene's order.
+    all: Vec<BodyId>,
+    /// The dynamic ones.
     bodies: Vec<BodyId>,
     dt: Float,
     sub_steps: u32,
 }
 
-fn vector(v: [f32; 3]) -> Vec3 {
-    Vec3::new(Float::from(v[0]), Float::from(v[1]), Float::from(v[2]))
+#[allow(clippy::unnecessary_cast, reason = "Float may be f64")]
+pub(super) fn float(x: f64) -> Float {
+    x as Float
 }
 
-fn turn(q: [f32; 4]) -> Quat {
+#[allow(clippy::useless_conversion, reason = "Float may be f64")]
+pub(super) fn double(x: Float) -> f64 {
+    f64::from(x)
+}
+
+fn vector(v: V3) -> Vec3 {
+    Vec3::new(float(v[0]), float(v[1]), float(v[2]))
+}
+
+fn turn(q: Q4) -> Quat {
     let mut quaternion = Quat::identity().into_inner();
-    quaternion.coords.copy_from_slice(&q.map(Float::from));
+    quaternion.coords.copy_from_slice(&q.map(float));
     Quat::new_unchecked(quaternion)
 }
 
-#[allow(clippy::unnecessary_cast, reason = "Float may be f64")]
-fn narrow(x: Float) -> f32 {
-    x as f32
+fn spring(s: &Spring) -> JointSpring {
+    JointSpring {
+        enable: true,
+        hertz: float(s.hertz),
+        damping_ratio: float(s.damping_ratio),
+        ..JointSpring::default()
+    }
+}
+
+fn joint_kind(hold: &Hold) -> JointKind {
+    match hold {
+        Hold::Ball => JointKind::Spherical(SphericalJoint::default()),
+        Hold::Hinge => JointKind::Revolute(RevoluteJoint::default()),
+        Hold::Slider(s) => JointKind::Prismatic(PrismaticJoint {
+            drive: Drive { spring: s.as_ref().map(spring).unwrap_or_default(), ..Drive::default() },
+        }),
+        Hold::Weld => JointKind::Weld(WeldJoint::default()),
+        Hold::Rod(length) => {
+            JointKind::Distance(DistanceJoint { length: float(*length), ..DistanceJoint::default() })
+        }
+        Hold::Spring(length, s) => JointKind::Distance(DistanceJoint {
+            length: float(*length),
+            enable_spring: true,
+            hertz: float(s.hertz),
+            damping_ratio: float(s.damping_ratio),
+            ..DistanceJoint::default()
+        }),
+    }
 }
 
 impl Merev {
-    pub fn new(scene: &Scene) -> Self {
-        let mut def =
-            WorldDef { gravity: vector(scene.gravity), enable_sleep: scene.sleep, ..WorldDef::default() };
+    pub fn new(scene: &Scene, method: &Method, setting: &Setting) -> Result<Self, String> {
+        let (solver, integrator) = kinds(method);
+        let mut def = WorldDef {
+            gravity: vector(scene.gravity),
+            enable_sleep: scene.sleep,
+            solver,
+            integrator,
+            solver_iterations: setting.iterations,
+            accuracy: float(setting.accuracy.unwrap_or(0.0)),
+            ..WorldDef::default()
+        };
         if let Some(speed) = scene.restitution_threshold {
-            def.restitution_threshold = Float::from(speed);
+            def.restitution_threshold = float(speed);
         }
-        let mut world = World::try_new(&def).expect("the scene's world");
-        let hulls: Vec<Shape> = scene
+        let mut this = Self {
+            world: World::try_new(&def).map_err(|e| e.to_string())?,
+            all: Vec::new(),
+            bodies: Vec::new(),
+            dt: float(setting.dt()),
+            sub_steps: setting.sub_steps,
+        };
+        this.fill(scene).map_err(|e| e.to_string())?;
+        Ok(this)
+    }
+
+    fn fill(&mut self, scene: &Scene) -> merev::Result<()> {
+        let hulls = scene
             .clouds
             .iter()
-            .map(|cloud| Shape::hull(&cloud.iter().copied().map(vector).collect::<Vec<_>>()).expect("a hull"))
-            .collect();
-        let (mut bodies, mut all) = (Vec::new(), Vec::new());
+            .map(|cloud| Shape::hull(&cloud.iter().copied().map(vector).collect::<Vec<_>>()))
+            .collect::<merev::Result<Vec<Shape>>>()?;
         for body in &scene.bodies {
             let def = BodyDef {
-                body_type: if body.kind == Kind::Static { BodyType::Static } else { BodyType::Dynamic },
+                body_type: match body.kind {
+                    Kind::Static => BodyType::Static,
+                    Kind::Kinematic => BodyType::Kinematic,
+                    Kind::Dynamic => BodyType::Dynamic,
+                },
                 position: vector(body.position),
                 rotation: turn(body.rotation),
                 linear_velocity: vector(body.velocity),
+                angular_velocity: vector(body.spin),
                 ..BodyDef::default()
             };
             let surface = ShapeDef {
-                density: Float::from(body.density),
+                density: float(body.density),
                 material: SurfaceMaterial {
-                    friction: Float::from(body.friction),
-                    restitution: Float::from(body.restitution),
+                    friction: float(body.friction),
+                    restitution: float(body.restitution),
                     ..SurfaceMaterial::default()
                 },
                 enable_contact_events: false,
@@ -69,62 +159,79 @@ impl Merev {
                 },
                 ..ShapeDef::default()
             };
-            let shape = match body.form {
-                Form::Box(half) => {
-                    let full = vector(half) * 2.0;
-                    Shape::new_box(full.x, full.y, full.z)
-                }
-                Form::Sphere(radius) => Shape::new_sphere(2.0 * Float::from(radius)),
-                Form::Hull(k) => hulls[k].clone(),
+            let id = self.world.create_body(&def)?;
+            let mut attach = |shape: Shape, at: Pose| self.world.create_shape(id, &surface, shape, at);
+            let cuboid = |half: V3| {
+                let full = vector(half) * 2.0;
+                Shape::try_new_box(full.x, full.y, full.z)
             };
-            let (id, _) = world.create_body_with_shape(&def, &surface, shape).expect("the scene's body");
+            match body.form {
+                Form::Box(half) => attach(cuboid(half)?, Pose::IDENTITY)?,
+                Form::Sphere(radius) => attach(Shape::try_new_sphere(2.0 * float(radius))?, Pose::IDENTITY)?,
+                Form::Capsule(half, radius) => {
+                    attach(Shape::try_new_capsule(2.0 * float(half), 2.0 * float(radius))?, Pose::IDENTITY)?
+                }
+                Form::Hull(k) => attach(hulls[k].clone(), Pose::IDENTITY)?,
+                Form::Boxes(k) => {
+                    let mut last = None;
+                    for part in &scene.compounds[k] {
+                        let at = Pose::new(vector(part.position), turn(part.rotation));
+                        last = Some(attach(cuboid(part.half)?, at)?);
+                    }
+                    last.expect("a compound has parts")
+                }
+            };
             if let Some(mass) = body.mass {
                 let data = MassData {
-                    mass: Float::from(mass.mass),
+                    mass: float(mass.mass),
                     center: Vec3::zeros(),
                     inertia: Mat3::from_diagonal(&vector(mass.inertia)),
                 };
-                world.body_mut(id).expect("just made").set_mass_data(&data).expect("a body's mass");
+                self.world.body_mut(id)?.set_mass_data(&data)?;
+                // The state is momentum: with another mass it would be another velocity.
+                let mut body_mut = self.world.body_mut(id)?;
+                body_mut.set_linear_velocity(vector(body.velocity))?;
+                body_mut.set_angular_velocity(vector(body.spin))?;
             }
-            all.push(id);
+            self.all.push(id);
             if body.kind == Kind::Dynamic {
-                bodies.push(id);
+                self.bodies.push(id);
             }
         }
-        for ball in &scene.balls {
-            let kind = JointKind::Spherical(SphericalJoint::default());
-            let frame = |k: usize| Pose::new(vector(ball.local[k]), Quat::identity());
-            let def =
-                JointDef::new(kind, all[ball.bodies[0]], all[ball.bodies[1]]).frames(frame(0), frame(1));
-            world.create_joint(&def).expect("the scene's joint");
+        for joint in &scene.joints {
+            let Joint { hold, bodies, local, axes } = joint;
+            let frame = |k: usize| Pose::new(vector(local[k]), turn(axes[k]));
+            let (a, b) = (self.all[bodies[0]], self.all[bodies[1]]);
+            self.world.create_joint(&JointDef::new(joint_kind(hold), a, b).frames(frame(0), frame(1)))?;
         }
-        Self { world, bodies, dt: Float::from(scene.dt), sub_steps: scene.sub_steps }
+        Ok(())
     }
 
     /// Energy, momentum and overlap of a scene whose dynamic bodies are there, whichever engine moved them: one
-    /// ruler for all. Contacts are found anew at exactly these places.
-    pub fn measure(scene: &Scene, motions: &[Motion]) -> StepReport {
+    /// ruler for all. Contacts are found anew at exactly these places. None if they are nowhere.
+    pub fn measure(scene: &Scene, motions: &[Motion]) -> Option<StepReport> {
         let mut scene = scene.clone();
         scene.sleep = false;
         let mut there = motions.iter();
         for body in scene.bodies.iter_mut().filter(|b| b.kind == Kind::Dynamic) {
             let motion = there.next().expect("a motion for every dynamic body");
-            (body.position, body.rotation) = (motion.position, motion.rotation);
+            (body.position, body.rotation) = (motion.position, crate::vector::unit(motion.rotation));
+            (body.velocity, body.spin) = (motion.velocity, motion.spin);
         }
-        let mut ruler = Self::new(&scene);
-        for (&id, motion) in ruler.bodies.iter().zip(motions) {
-            let mut body = ruler.world.body_mut(id).expect("a live body");
-            body.set_linear_velocity(vector(motion.velocity)).expect("a finite velocity");
-            body.set_angular_velocity(vector(motion.spin)).expect("a finite velocity");
-        }
-        ruler.world.try_step(0.0, 1).expect("a step of no length");
-        ruler.world.step_report()
+        let mut ruler = Self::new(&scene, &methods()[0], &Setting::of(&scene)).ok()?;
+        ruler.world.try_step(0.0, 1).ok()?;
+        Some(ruler.world.step_report())
     }
 }
 
 impl Engine for Merev {
     fn step(&mut self) {
         self.world.try_step(self.dt, self.sub_steps).expect("a step");
+    }
+
+    fn push(&mut self, body: usize, force: V3, point: V3) {
+        let mut body = self.world.body_mut(self.all[body]).expect("a live body");
+        body.apply_force(vector(force), vector(point), true).expect("a finite force");
     }
 
     fn motions(&self, out: &mut Vec<Motion>) {
@@ -134,10 +241,10 @@ impl Engine for Merev {
             let Pose { p, q } = body.transform();
             let (v, w) = (body.linear_velocity(), body.angular_velocity());
             Motion {
-                position: [p.x, p.y, p.z].map(narrow),
-                rotation: [q.i, q.j, q.k, q.w].map(narrow),
-                velocity: [v.x, v.y, v.z].map(narrow),
-                spin: [w.x, w.y, w.z].map(narrow),
+                position: [p.x, p.y, p.z].map(double),
+                rotation: [q.i, q.j, q.k, q.w].map(double),
+                velocity: [v.x, v.y, v.z].map(double),
+                spin: [w.x, w.y, w.z].map(double),
             }
         }));
     }
@@ -155,5 +262,14 @@ impl Engine for Merev {
             ("sleep", p.update_sleep),
             ("events", p.publish_events),
         ]
+    }
+
+    fn residual(&self) -> Option<f64> {
+        let report = self.world.step_report();
+        Some(double(report.residual.max(report.solve.residual)))
+    }
+
+    fn is_broken(&self) -> bool {
+        self.world.step_report().quarantined > 0
     }
 }

@@ -1,6 +1,6 @@
 //! Chains, pendulums and a cloth of ball joints.
 
-use crate::scene::{Ball, Body, Form, Kind, Mass, Scene};
+use crate::scene::{Body, Form, Joint, Kind, Mass, Scene};
 
 /// A cloth of 100 × 100 spheres whose upper row is fixed, tied to their neighbours: 19 800 ball joints.
 pub fn joint_grid() -> Scene {
@@ -8,19 +8,17 @@ pub fn joint_grid() -> Scene {
     let n = 100;
     for k in 0..n {
         for i in 0..n {
-            let body = Body::dynamic(Form::Sphere(0.4), [k as f32, -(i as f32), 0.0]);
+            let body = Body::dynamic(Form::Sphere(0.4), [k as f64, -(i as f64), 0.0]);
             let kind = if i == 0 { Kind::Static } else { Kind::Dynamic };
             scene.bodies.push(Body { kind, collides: false, ..body });
             let this = k * n + i;
             if i > 0 {
-                scene
-                    .balls
-                    .push(Ball { bodies: [this - 1, this], local: [[0.0, -0.5, 0.0], [0.0, 0.5, 0.0]] });
+                let ends = [[0.0, -0.5, 0.0], [0.0, 0.5, 0.0]];
+                scene.joints.push(Joint::ball([this - 1, this], ends));
             }
             if k > 0 {
-                scene
-                    .balls
-                    .push(Ball { bodies: [this - n, this], local: [[0.5, 0.0, 0.0], [-0.5, 0.0, 0.0]] });
+                let ends = [[0.5, 0.0, 0.0], [-0.5, 0.0, 0.0]];
+                scene.joints.push(Joint::ball([this - n, this], ends));
             }
         }
     }
@@ -29,12 +27,12 @@ pub fn joint_grid() -> Scene {
 
 /// `count` thin rods of this length along x from the origin, held by ball joints: E1 to E3 of the catalogue. The
 /// last one has the mass `last` \[kg\], the others 1 kg.
-fn chain(name: &'static str, about: &'static str, count: usize, size: f32, last: f32, steps: usize) -> Scene {
+fn chain(name: &'static str, about: &'static str, count: usize, size: f64, last: f64, steps: usize) -> Scene {
     let mut scene = Scene::new(name, about, steps);
     scene.gravity = [0.0, -9.81, 0.0];
     scene.bodies.push(Body { collides: false, ..Body::fixed(Form::Sphere(0.02), [0.0; 3]) });
     for i in 0..count {
-        let x = (i as f32 + 0.5) * size;
+        let x = (i as f64 + 0.5) * size;
         let mass = if i + 1 == count { last } else { 1.0 };
         let across = mass * size * size / 12.0;
         scene.bodies.push(Body {
@@ -43,7 +41,8 @@ fn chain(name: &'static str, about: &'static str, count: usize, size: f32, last:
             ..Body::dynamic(Form::Sphere(0.02), [x, 0.0, 0.0])
         });
         let end = if i == 0 { 0.0 } else { 0.5 * size };
-        scene.balls.push(Ball { bodies: [i, i + 1], local: [[end, 0.0, 0.0], [-0.5 * size, 0.0, 0.0]] });
+        let ends = [[end, 0.0, 0.0], [-0.5 * size, 0.0, 0.0]];
+        scene.joints.push(Joint::ball([i, i + 1], ends));
     }
     scene
 }
@@ -71,14 +70,14 @@ pub fn pendulum() -> Scene {
         mass: Some(Mass { mass: 1.0, inertia: [1e-5; 3] }),
         ..Body::dynamic(Form::Sphere(0.005), [1.0, 0.0, 0.0])
     });
-    scene.balls.push(Ball { bodies: [0, 1], local: [[0.0; 3], [-1.0, 0.0, 0.0]] });
+    scene.joints.push(Joint::ball([0, 1], [[0.0; 3], [-1.0, 0.0, 0.0]]));
     scene
 }
 
 /// Twenty rods hanging at rest, the last one of this mass (E4).
-pub fn hanging_chain(last: f32) -> Scene {
+pub fn hanging_chain(last: f64) -> Scene {
     let mut scene = chain("hanging_chain", "twenty rods hanging at rest (E4)", 20, 0.2, last, 600);
-    let half = std::f32::consts::FRAC_1_SQRT_2;
+    let half = std::f64::consts::FRAC_1_SQRT_2;
     for body in &mut scene.bodies {
         let [x, _, _] = body.position;
         body.position = [0.0, -x, 0.0];

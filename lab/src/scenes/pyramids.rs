@@ -3,11 +3,11 @@
 use crate::scene::{Body, Form, Scene};
 
 /// Adds a planar pyramid in the plane at `z` whose lowest row starts at `left`, and whose top is `rows` high.
-fn pyramid(scene: &mut Scene, rows: usize, left: f32, z: f32) {
+fn pyramid(scene: &mut Scene, rows: usize, left: f64, z: f64) {
     for row in 0..rows {
         for k in 0..rows - row {
-            let x = left + 0.5 + 0.5 * row as f32 + k as f32;
-            let cube = Body::dynamic(Form::Box([0.5; 3]), [x, 0.5 + row as f32, z]);
+            let x = left + 0.5 + 0.5 * row as f64 + k as f64;
+            let cube = Body::dynamic(Form::Box([0.5; 3]), [x, 0.5 + row as f64, z]);
             scene.bodies.push(Body { density: 100.0, ..cube });
         }
     }
@@ -25,9 +25,9 @@ pub fn many_pyramids() -> Scene {
     let half = 77.0;
     scene.floor([half, 1.0, half]);
     for line in 0..14 {
-        let z = -(half - 1.0) + line as f32 * 2.0 * (half - 1.0) / 13.0;
+        let z = -(half - 1.0) + line as f64 * 2.0 * (half - 1.0) / 13.0;
         for column in 0..14 {
-            pyramid(&mut scene, 10, -half + 0.5 + 11.0 * column as f32, z);
+            pyramid(&mut scene, 10, -half + 0.5 + 11.0 * column as f64, z);
         }
     }
     scene

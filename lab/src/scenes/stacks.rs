@@ -6,7 +6,7 @@ use crate::scene::{Body, Form, Scene};
 fn stack(scene: &mut Scene, n: usize) {
     scene.floor([400.0, 1.0, 400.0]);
     for i in 0..n {
-        scene.bodies.push(Body::dynamic(Form::Box([0.5; 3]), [0.0, 0.5 + i as f32, 0.0]));
+        scene.bodies.push(Body::dynamic(Form::Box([0.5; 3]), [0.0, 0.5 + i as f64, 0.0]));
     }
 }
 
@@ -26,7 +26,7 @@ pub fn heavy_on_light() -> Scene {
     let mut scene = Scene::new("heavy_on_light", "a cube of 1000 kg on one of 1 kg", 600);
     scene.floor([400.0, 1.0, 400.0]);
     for (i, density) in [1.0, 1000.0].into_iter().enumerate() {
-        let cube = Body::dynamic(Form::Box([0.5; 3]), [0.0, 0.5 + i as f32, 0.0]);
+        let cube = Body::dynamic(Form::Box([0.5; 3]), [0.0, 0.5 + i as f64, 0.0]);
         scene.bodies.push(Body { density, ..cube });
     }
     scene

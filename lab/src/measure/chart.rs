@@ -1,0 +1,191 @@
+//! Work against precision: every case on every method with every setting of its ladder.
+
+use super::{Options, attribution, checks, cost, ladder, meta, tells, timed_scene, try_case};
+use crate::case::{Case, Trial};
+use crate::engines::{Maker, Method, Setting};
+use crate::progress;
+use crate::records::{Log, Outcome, Record, SceneRow, Secondary, WorkPrecision};
+use crate::scenes;
+use crate::table::{Table, milliseconds};
+use std::time::Duration;
+
+/// A point to be measured.
+struct Point<'a> {
+    case: &'a Case,
+    maker: Maker,
+    method: Method,
+    setting: Setting,
+    is_default: bool,
+    turned: bool,
+}
+
+impl Point<'_> {
+    fn row(&self) -> WorkPrecision {
+        WorkPrecision {
+            scene: self.case.name.into(),
+            group: self.case.group.into(),
+            engine: self.maker.key.into(),
+            method: self.method.name(),
+            precision: self.maker.precision.into(),
+            turned: self.turned.into(),
+            rate_hz: self.setting.rate,
+            sub_steps: self.setting.sub_steps,
+            iterations: self.setting.iterations,
+            accuracy: self.setting.accuracy,
+            is_default: self.is_default.into(),
+            outcome: Outcome::Refused,
+            error: None,
+            cost_ms: None,
+            resumed: 0,
+        }
+    }
+
+    /// Whether this one is at least as hard on the same method as another that took too long.
+    fn is_beyond(&self, other: &Point) -> bool {
+        self.case.name == other.case.name
+            && self.maker.key == other.maker.key
+            && self.method == other.method
+            && ladder::work(&self.setting) >= ladder::work(&other.setting)
+    }
+}
+
+/// Everything there is to measure, in order.
+fn points<'a>(cases: &'a [Case], options: &Options) -> Vec<Point<'a>> {
+    let mut all = Vec::new();
+    for case in cases {
+        for maker in options.makers() {
+            let methods = (maker.methods)();
+            for (i, &method) in methods.iter().enumerate() {
+                if matches!(case.trial, Trial::Missing) && i > 0 || !tells(case, &method, &methods[0]) {
+                    continue;
+                }
+                for (setting, is_default) in ladder::rungs(case, &maker, &method, i == 0, options.quick) {
+                    if matches!(case.trial, Trial::Missing) && !is_default {
+                        continue;
+                    }
+                    all.push(Point { case, maker, method, setting, is_default, turned: false });
+                    if is_default && i == 0 && !matches!(case.trial, Trial::Missing) {
+                        all.push(Point { case, maker, method, setting, is_default, turned: true });
+                    }
+                }
+            }
+        }
+    }
+    all
+}
+
+/// Measures what is not there yet, and says what the defaults give.
+///
+/// # Errors
+/// What the file system says.
+pub fn run(options: &Options) -> Result<String, String> {
+    let mut log = Log::<WorkPrecision>::open(&options.directory, options.fresh)?;
+    let mut more = Log::<Secondary>::open(&options.directory, options.fresh)?;
+    meta::write(options, "chart")?;
+    let cases: Vec<Case> = scenes::cases().into_iter().filter(|c| options.wants(c.name)).collect();
+    write_scenes(&cases, options)?;
+    let checks = checks::run(options)?;
+    let points = points(&cases, options);
+    let bar = progress::bar(points.len() as u64, "chart");
+    let resumed = u8::from(log.is_resumed());
+    let mut slow: Option<&Point> = None;
+    for point in &points {
+        bar.inc(1);
+        let mut row = WorkPrecision { resumed, ..point.row() };
+        if log.contains(&row.key()) {
+            continue;
+        }
+        bar.set_message(point.case.name);
+        if slow.is_some_and(|s| point.is_beyond(s)) {
+            row.outcome = Outcome::Timeout;
+            log.push(row)?;
+            continue;
+        }
+        let Point { case, maker, method, setting, turned, .. } = point;
+        let result = try_case(case, maker, method, setting, *turned, options.budget());
+        (row.outcome, row.error) = (result.outcome, result.error);
+        if result.outcome == Outcome::Timeout {
+            slow = Some(point);
+        }
+        let in_time = !matches!(result.outcome, Outcome::Timeout | Outcome::Refused);
+        if in_time && let Some(scene) = timed_scene(case) {
+            let budget = Duration::from_secs_f64(if options.quick { 0.04 } else { 0.25 });
+            let whole = if *turned { scene.turned(crate::case::TURN) } else { scene };
+            row.cost_ms = cost(maker, &whole, method, setting, case.duration, budget);
+        }
+        for &(metric, value) in &result.more {
+            more.push(secondary(&row, metric, value))?;
+        }
+        log.push(row)?;
+    }
+    bar.finish_and_clear();
+    let attribution = attribution::run(options, &cases, log.rows())?;
+    let text = format!("{}\n{checks}\n{attribution}", summary(&cases, options, log.rows()));
+    Ok(text)
+}
+
+fn secondary(row: &WorkPrecision, metric: &str, value: f64) -> Secondary {
+    Secondary {
+        scene: row.scene.clone(),
+        engine: row.engine.clone(),
+        method: row.method.clone(),
+        precision: row.precision.clone(),
+        turned: row.turned,
+        rate_hz: row.rate_hz,
+        sub_steps: row.sub_steps,
+        iterations: row.iterations,
+        accuracy: row.accuracy,
+        metric: metric.into(),
+        value,
+    }
+}
+
+fn write_scenes(cases: &[Case], options: &Options) -> Result<(), String> {
+    let mut log = Log::<SceneRow>::open(&options.directory, options.fresh)?;
+    for case in cases {
+        log.push(SceneRow {
+            scene: case.name.into(),
+            group: case.group.into(),
+            about: case.about.into(),
+            reference: case.reference.name().into(),
+            primary: case.primary.into(),
+            scale: case.scale.0,
+            scale_unit: case.scale.1.into(),
+            null_error: case.null_error(),
+            duration_s: case.duration,
+        })?;
+    }
+    Ok(())
+}
+
+/// A line for each case: what its null simulation gives, and each engine as it comes.
+fn summary(cases: &[Case], options: &Options, rows: &[WorkPrecision]) -> String {
+    let makers = options.makers();
+    let head: Vec<String> = ["scene".to_string(), "nothing moves".to_string()]
+        .into_iter()
+        .chain(makers.iter().map(|m| m.name.to_string()))
+        .collect();
+    let mut table = Table::new(&head.iter().map(String::as_str).collect::<Vec<_>>());
+    for case in cases {
+        let null = case.null_error().map_or("–".into(), |e| format!("{e:.1e}"));
+        let cells = makers.iter().map(|maker| {
+            let method = (maker.methods)()[0].name();
+            let found = rows.iter().find(|r| {
+                r.scene == case.name
+                    && r.engine == maker.key
+                    && r.method == method
+                    && r.precision == maker.precision
+                    && r.is_default == 1
+                    && r.turned == 0
+            });
+            found.map_or("".into(), |r| match (r.error, r.cost_ms) {
+                (Some(e), Some(ms)) => format!("{e:.1e} {}", milliseconds(ms)),
+                _ => r.outcome.name().to_string(),
+            })
+        });
+        table.row([case.name.to_string(), null].into_iter().chain(cells));
+    }
+    format!(
+        "Each engine as it comes (60 Hz, 4 sub-steps): error over the scene's scale, CPU time of a simulated second.\n\n{table}"
+    )
+}

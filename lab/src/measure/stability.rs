@@ -1,0 +1,283 @@
+//! Where methods fail: the hardest value of a stressor that a method survives, by bisection.
+
+use super::{Options, ladder, meta, run as run_scene};
+use crate::case::Track;
+use crate::engines::{Maker, Method, Setting};
+use crate::metrics::kinetic;
+use crate::progress;
+use crate::records::{Log, Outcome, Record, Stability};
+use crate::scene::{Body, Form, Scene};
+use crate::scenes::{group_c, group_d, group_e, group_f_j};
+use crate::table::Table;
+use crate::vector::{norm, sub};
+
+/// Something that is made harder until a method fails.
+struct Stressor {
+    scene: &'static str,
+    name: &'static str,
+    unit: &'static str,
+    /// The mildest value and the hardest that is tried.
+    range: [f64; 2],
+    whole: bool,
+    duration: f64,
+    build: fn(f64) -> Scene,
+    /// With which setting, where the stressor is one.
+    setting: fn(f64) -> Setting,
+    survives: fn(f64, &Scene, &Track) -> bool,
+    /// Which methods it tells something about.
+    tells: fn(&Method) -> bool,
+}
+
+fn as_it_comes(_: f64) -> Setting {
+    ladder::default_setting()
+}
+
+fn upright(track: &Track, height: f64) -> bool {
+    let top = |f: &[crate::engines::Motion]| f[f.len() - 1].position;
+    norm(sub(top(track.first()), top(track.last()))) < height
+}
+
+fn stressors() -> Vec<Stressor> {
+    let solver = |m: &Method| m.solver != "multibody" && matches!(m.integrator, "" | "moser_veselov");
+    let joints = |m: &Method| matches!(m.integrator, "" | "moser_veselov");
+    let integrator = |m: &Method| m.solver == "soft_step";
+    vec![
+        Stressor {
+            scene: "heavy_on_light",
+            name: "mass ratio",
+            unit: "1",
+            range: [1.0, 1e6],
+            whole: false,
+            duration: 5.0,
+            build: |r| group_d::tower("heavy_on_light", "", &[1.0, r]),
+            setting: as_it_comes,
+            survives: |_, _, track| upright(track, 0.1) && group_d::tower_overlap(track.last()) < 0.1,
+            tells: solver,
+        },
+        Stressor {
+            scene: "tower",
+            name: "stack height",
+            unit: "cubes",
+            range: [2.0, 64.0],
+            whole: true,
+            duration: 10.0,
+            build: |n| group_d::tower("tower", "", &vec![1000.0; n as usize]),
+            setting: as_it_comes,
+            survives: |n, _, track| upright(track, 0.05 * n.max(4.0)),
+            tells: solver,
+        },
+        Stressor {
+            scene: "hanging_chain",
+            name: "chain length",
+            unit: "links",
+            range: [2.0, 128.0],
+            whole: true,
+            duration: 3.0,
+            build: |n| group_e::hanging_scene("hanging_chain", "", n as usize, 100.0),
+            setting: as_it_comes,
+            survives: |n, _, track| group_e::stretch(track.last(), n as usize) < 0.02,
+            tells: joints,
+        },
+        Stressor {
+            scene: "loaded_chain",
+            name: "mass ratio",
+            unit: "1",
+            range: [1.0, 1e6],
+            whole: false,
+            duration: 3.0,
+            build: |r| group_e::hanging_scene("loaded_chain", "", 20, r),
+            setting: as_it_comes,
+            survives: |_, _, track| group_e::stretch(track.last(), 20) < 0.02,
+            tells: joints,
+        },
+        Stressor {
+            scene: "grip",
+            name: "time step",
+            unit: "ms",
+            range: [1.0, 200.0],
+            whole: false,
+            duration: 1.0,
+            build: |_| group_c::grip_scene(1.5 * group_c::GRIP),
+            setting: |ms| Setting { rate: 1e3 / ms, ..ladder::default_setting() },
+            survives: |_, _, track| group_c::grip_holds(track),
+            tells: solver,
+        },
+        Stressor {
+            scene: "tower_of_five",
+            name: "time step",
+            unit: "ms",
+            range: [1.0, 200.0],
+            whole: false,
+            duration: 5.0,
+            build: |_| group_d::tower("tower_of_five", "", &[1000.0; 5]),
+            setting: |ms| Setting { rate: 1e3 / ms, ..ladder::default_setting() },
+            survives: |_, _, track| upright(track, 0.25),
+            tells: solver,
+        },
+        Stressor {
+            scene: "bullets",
+            name: "speed",
+            unit: "m/s",
+            range: [0.5, 1000.0],
+            whole: false,
+            duration: 0.25,
+            build: |v| group_f_j::bullet_scene(v, false),
+            setting: as_it_comes,
+            survives: |_, _, track| group_f_j::tunnelled(track) == 0,
+            tells: solver,
+        },
+        Stressor {
+            scene: "far_stack",
+            name: "distance from the origin",
+            unit: "m",
+            range: [10.0, 1e7],
+            whole: false,
+            duration: 5.0,
+            build: group_f_j::far_stack_scene,
+            setting: as_it_comes,
+            survives: |_, _, track| upright(track, 0.02),
+            tells: solver,
+        },
+        Stressor {
+            scene: "plate",
+            name: "aspect ratio",
+            unit: "side / thickness",
+            range: [2.0, 1e5],
+            whole: false,
+            duration: 2.0,
+            build: |a| group_f_j::plate_scene(2.0 / a),
+            setting: as_it_comes,
+            survives: |a, _, track| (track.last()[0].position[1] - 1.0 / a).abs() < 1.0 / a,
+            tells: solver,
+        },
+        Stressor {
+            scene: "tumbling",
+            name: "spin",
+            unit: "rad/s",
+            range: [0.5, 1e4],
+            whole: false,
+            duration: 3.0,
+            build: spinning,
+            setting: as_it_comes,
+            survives: |_, scene, track| {
+                let e = kinetic(scene, track.first());
+                (kinetic(scene, track.last()) / e - 1.0).abs() < 0.1
+            },
+            tells: integrator,
+        },
+    ]
+}
+
+/// The box of A3, this fast.
+fn spinning(w: f64) -> Scene {
+    let mut scene = Scene::new("tumbling", "", 0);
+    scene.gravity = [0.0; 3];
+    scene.bodies.push(Body {
+        spin: [0.02 * w, w, 0.02 * w],
+        density: 10.0 / (0.1 * 0.4 * 0.9),
+        ..Body::dynamic(Form::Box([0.05, 0.2, 0.45]), [0.0; 3])
+    });
+    scene
+}
+
+/// The hardest value that passed, the mildest that failed, and how.
+fn search(
+    s: &Stressor,
+    maker: &Maker,
+    method: &Method,
+    options: &Options,
+) -> (Option<f64>, Option<f64>, Outcome) {
+    let mut how = Outcome::Ok;
+    let mut passes = |value: f64| {
+        let scene = (s.build)(value);
+        let budget = 2 * options.budget();
+        let ended = run_scene(maker, &scene, method, &(s.setting)(value), s.duration, false, budget);
+        let ok = match &ended {
+            Ok((track, _)) => (s.survives)(value, &scene, track),
+            Err(_) => false,
+        };
+        if !ok {
+            how = ended.err().unwrap_or(if s.name == "speed" { Outcome::Tunnelled } else { Outcome::Ok });
+        }
+        ok
+    };
+    let tidy = |x: f64| if s.whole { x.round() } else { x };
+    let [mildest, hardest] = s.range;
+    if !passes(mildest) {
+        return (None, Some(mildest), how);
+    }
+    let (mut low, mut high, mut factor) = (mildest, None, 4.0);
+    while low < hardest {
+        let next = tidy((low * factor).min(hardest));
+        if passes(next) {
+            low = next;
+        } else {
+            high = Some(next);
+            break;
+        }
+        factor = 4.0;
+    }
+    let Some(mut failed) = high else { return (Some(hardest), None, Outcome::Ok) };
+    for _ in 0..if options.quick { 2 } else { 5 } {
+        let middle = tidy((low * failed).sqrt());
+        if middle <= low || middle >= failed {
+            break;
+        }
+        if passes(middle) { low = middle } else { failed = middle }
+    }
+    (Some(low), Some(failed), how)
+}
+
+/// Searches what is not there yet.
+///
+/// # Errors
+/// What the file system says.
+pub fn run(options: &Options) -> Result<String, String> {
+    let mut log = Log::<Stability>::open(&options.directory, options.fresh)?;
+    meta::write(options, "stability")?;
+    let mut work = Vec::new();
+    for stressor in stressors().into_iter().filter(|s| options.wants(s.scene)) {
+        let stressor = std::rc::Rc::new(stressor);
+        for maker in options.makers().into_iter().filter(|m| m.key != "merev_c") {
+            for method in (maker.methods)().into_iter().filter(|m| (stressor.tells)(m)) {
+                work.push((stressor.clone(), maker, method));
+            }
+        }
+    }
+    let bar = progress::bar(work.len() as u64, "stability");
+    for (s, maker, method) in work {
+        bar.inc(1);
+        let mut row = Stability {
+            scene: s.scene.into(),
+            engine: maker.key.into(),
+            method: method.name(),
+            stressor: s.name.into(),
+            unit: s.unit.into(),
+            harder: "larger".into(),
+            survived: None,
+            failed: None,
+            outcome: Outcome::Ok,
+        };
+        if log.contains(&row.key()) {
+            continue;
+        }
+        bar.set_message(s.scene);
+        (row.survived, row.failed, row.outcome) = search(&s, &maker, &method, options);
+        log.push(row)?;
+    }
+    bar.finish_and_clear();
+    let mut table = Table::new(&["scene", "stressor", "engine", "method", "survived", "failed", "how"]);
+    for r in log.rows() {
+        let number = |x: Option<f64>| x.map_or("–".to_string(), |x| format!("{x:.4}"));
+        table.row([
+            r.scene.clone(),
+            format!("{} [{}]", r.stressor, r.unit),
+            r.engine.clone(),
+            r.method.clone(),
+            number(r.survived),
+            number(r.failed),
+            r.outcome.name().into(),
+        ]);
+    }
+    Ok(table.to_string())
+}

@@ -1,0 +1,8 @@
+//! What is true, by ways that share nothing with an engine: closed forms, and integrations of high order in minimal
+//! coordinates.
+
+pub mod chain;
+pub mod elliptic;
+pub mod extrapolation;
+pub mod statics;
+pub mod top;
