@@ -84,9 +84,6 @@ mod tests {
         let v = rotate(times(a, b), [1.0, 0.0, 0.0]);
         assert!(norm(sub(v, [libm::cos(0.8), libm::sin(0.8), 0.0])) < 1e-15);
         assert!((angle([2.0, 0.0, 0.0], [0.0, 3.0, 0.0]) - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
-        assert_eq!(
-            norm(sub(rotate(conjugate(a), rotate(a, [1.0, 2.0, 3.0])), [1.0, 2.0, 3.0])) < 1e-14,
-            true
-        );
+        assert!(norm(sub(rotate(conjugate(a), rotate(a, [1.0, 2.0, 3.0])), [1.0, 2.0, 3.0])) < 1e-14);
     }
 }

@@ -110,6 +110,9 @@ impl Method {
     }
 }
 
+/// Builds a world, or says why not.
+pub type Build = fn(&Scene, &Method, &Setting) -> Result<Box<dyn Engine>, String>;
+
 /// An engine that can build scenes.
 #[derive(Clone, Copy)]
 pub struct Maker {
@@ -122,7 +125,7 @@ pub struct Maker {
     /// What it comes with first, then the others.
     pub methods: fn() -> Vec<Method>,
     /// Builds a world, or says why not.
-    pub build: fn(&Scene, &Method, &Setting) -> Result<Box<dyn Engine>, String>,
+    pub build: Build,
 }
 
 impl Maker {

@@ -59,13 +59,14 @@ mod tests {
 
     const INERTIA: V3 = [10.0 / 12.0 * 0.97, 10.0 / 12.0 * 0.82, 10.0 / 12.0 * 0.17];
 
-    /// Two ways to one answer: half the period of the elliptic functions lies between changes of sign.
+    /// Two ways to one answer: half the period of the elliptic functions lies between changes of sign. The second spin
+    /// is so near the separatrix that the rounding of L² − 2 E J in double precision moves the period by 4e-8.
     #[test]
     fn flips_come_with_the_period_of_the_closed_form() {
-        for spin in [[0.1, 5.0, 0.1], [1e-3, 5.0, 1e-3]] {
+        for (spin, bound) in [([0.1, 5.0, 0.1], 1e-10), ([1e-3, 5.0, 1e-3], 1e-7)] {
             let flips = sign_changes(INERTIA, spin, 1, 3, 60.0);
             let period = tumbling_period(INERTIA, spin);
-            assert!((flips[2] - flips[0] - period).abs() < 1e-8 * period, "{flips:?} {period}");
+            assert!((flips[2] - flips[0] - period).abs() < bound * period, "{flips:?} {period}");
         }
     }
 
