@@ -168,7 +168,7 @@ pub const ALL: &[Maker] = &[
         key: "rapier",
         precision: "f32",
         methods: rapier::methods,
-        build: |scene, method, setting| Ok(Box::new(rapier::Rapier::new(scene, method, setting)?)),
+        build: |scene, _, setting| Ok(Box::new(rapier::Rapier::new(scene, setting)?)),
     },
 ];
 

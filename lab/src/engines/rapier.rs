@@ -5,10 +5,9 @@ use crate::scene::{Form, Hold, Joint, Kind, Scene};
 use crate::vector::{self, Q4, V3};
 use rapier3d::prelude::*;
 
-/// Joints as constraints, as it comes; and joints by reduced coordinates.
+/// It has one way. (Its reduced coordinates start all joints at zero, which few scenes do.)
 pub fn methods() -> Vec<Method> {
-    let method = |solver| Method { solver, integrator: "", iterates: true };
-    vec![method("soft_step"), method("multibody")]
+    vec![Method { solver: "soft_step", integrator: "", iterates: true }]
 }
 
 /// A Rapier world of a scene.
@@ -37,7 +36,7 @@ fn array(v: Vector) -> V3 {
 }
 
 impl Rapier {
-    pub fn new(scene: &Scene, method: &Method, setting: &Setting) -> Result<Self, String> {
+    pub fn new(scene: &Scene, setting: &Setting) -> Result<Self, String> {
         if setting.accuracy.is_some() {
             return Err("Rapier has no such setting".into());
         }
@@ -56,7 +55,7 @@ impl Rapier {
             this.add(scene, body)?;
         }
         for joint in &scene.joints {
-            this.tie(joint, method.solver == "multibody")?;
+            this.tie(joint)?;
         }
         Ok(this)
     }
@@ -123,7 +122,7 @@ impl Rapier {
     }
 
     /// Makes a joint.
-    fn tie(&mut self, joint: &Joint, reduced: bool) -> Result<(), String> {
+    fn tie(&mut self, joint: &Joint) -> Result<(), String> {
         // Rapier's hinges turn about x, the scene's about z.
         let x_to_z = vector::turn([0.0, 1.0, 0.0], -std::f64::consts::FRAC_PI_2);
         let (mask, inner) = match joint.hold {
@@ -153,13 +152,8 @@ impl Rapier {
                 .motor_model(JointAxis::LinX, MotorModel::ForceBased);
         }
         let (a, b) = (self.all[joint.bodies[0]], self.all[joint.bodies[1]]);
-        if reduced {
-            let made = self.world.multibody_joints.insert(a, b, builder.build(), true);
-            made.map(|_| ()).ok_or("Rapier's reduced coordinates do not close loops".into())
-        } else {
-            self.world.impulse_joints.insert(a, b, builder.build(), true);
-            Ok(())
-        }
+        self.world.impulse_joints.insert(a, b, builder.build(), true);
+        Ok(())
     }
 }
 

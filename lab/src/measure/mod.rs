@@ -250,10 +250,8 @@ fn timed_scene(case: &case::Case) -> Option<Scene> {
 
 /// Whether a method has anything to say about a case.
 fn tells(case: &case::Case, method: &Method, first: &Method) -> bool {
-    let joints = timed_scene(case).is_some_and(|s| !s.joints.is_empty());
     match case.vary {
         _ if method == first => true,
-        _ if method.solver == "multibody" => joints,
         case::Vary::Integrators => method.solver == first.solver,
         case::Vary::Solvers => method.integrator == first.integrator,
     }
