@@ -89,6 +89,12 @@ impl Track {
         self.frames.iter().map(|frame| f(frame)).fold(f64::NEG_INFINITY, f64::max)
     }
 
+    /// How far the body that went farthest is from where it began, in some frame.
+    pub fn farthest(&self, frame: &[Motion]) -> f64 {
+        let pairs = self.first().iter().zip(frame);
+        pairs.map(|(a, b)| vector::norm(vector::sub(b.position, a.position))).fold(0.0, f64::max)
+    }
+
     /// A run in which nothing moves.
     pub fn null(scene: &Scene, duration: f64) -> Self {
         let still = |m: Motion| Motion { velocity: [0.0; 3], spin: [0.0; 3], ..m };

@@ -2,37 +2,33 @@
 //! are from what they should do, and how far a hanging chain stretches. Every scene runs as it stands and turned as a
 //! whole by a rotation, and the worse of the two counts.
 
+use crate::case::TURN;
 use crate::engines::{self, Engine, Maker, Motion};
 use crate::progress;
+use crate::references::chain;
 use crate::scene::Scene;
-use crate::scenes::joints;
+use crate::scenes::{G, group_e, joints};
 use crate::table::{Table, length};
-use crate::vector::{Q4, V3, add, conjugate, norm, rotate};
+use crate::vector::{Q4, V3, conjugate, norm, rotate};
+use std::f64::consts::FRAC_PI_2;
 
-/// A scene, what is measured, after how many steps, and where the tip should be then.
-type Golden = (fn() -> Scene, &'static str, usize, [f64; 2]);
+/// A chain of rods, what is measured, rods, their length \[m\], and after how many steps.
+type Swing = (fn() -> Scene, &'static str, usize, f64, usize);
 
-/// Golden tips from an independent integration in minimal coordinates \[m\].
-const GOLDEN: [Golden; 5] = [
-    (joints::double_pendulum, "double pendulum, tip at 1 s", 60, [-1.662_115_14, -1.041_466_64]),
-    (joints::double_pendulum, "double pendulum, tip at 2 s", 120, [0.313_524_78, -1.914_746_62]),
-    (joints::double_pendulum, "double pendulum, tip at 3 s", 180, [1.330_436_83, -1.398_644_86]),
-    (joints::chain_10, "chain of 10, tip at 1 s", 60, [-1.764_752_5, -0.927_582_9]),
-    (joints::chain_20, "chain of 20, tip at 0.5 s", 30, [3.509_259, -1.226_253]),
+const SWINGS: [Swing; 5] = [
+    (joints::double_pendulum, "double pendulum, tip at 1 s", 2, 1.0, 60),
+    (joints::double_pendulum, "double pendulum, tip at 2 s", 2, 1.0, 120),
+    (joints::double_pendulum, "double pendulum, tip at 3 s", 2, 1.0, 180),
+    (joints::chain_10, "chain of 10, tip at 1 s", 10, 0.2, 60),
+    (joints::chain_20, "chain of 20, tip at 0.5 s", 20, 0.2, 30),
 ];
-
-/// The period of a pendulum of 1 m from 90° under 9.81 m/s² \[s\].
-const PERIOD: f64 = 2.367_841_9;
-
-/// The turn of the second run: anything that no axis has a part in.
-const TURN: Q4 = [0.2, -0.5, 0.3, 0.787_400_787_401_181];
 
 /// Runs all of it and gives the report.
 pub fn run(peers: bool) -> String {
     let makers: Vec<Maker> = engines::racers(peers);
     let mut table =
         Table::new(&[&["quantity"][..], &makers.iter().map(|m| m.name).collect::<Vec<_>>()].concat());
-    let bar = progress::bar((GOLDEN.len() + 6) as u64, "joints");
+    let bar = progress::bar((SWINGS.len() + 5) as u64, "joints");
     let mut line = |name: &str, measure: &dyn Fn(&Maker, Option<Q4>) -> String| {
         let cells = makers.iter().map(|m| {
             let (a, b) = (measure(m, None), measure(m, Some(TURN)));
@@ -43,7 +39,8 @@ pub fn run(peers: bool) -> String {
     };
     line("pendulum from 90°, period", &|m, turn| format!("{:.1e}", pendulum(m, turn).0));
     line("pendulum, worst gap", &|m, turn| length(pendulum(m, turn).1));
-    for (scene, name, step, tip) in GOLDEN {
+    for (scene, name, count, size, step) in SWINGS {
+        let tip = chain::tips(count, size, G, &[step as f64 / 60.0])[0];
         line(name, &|m, turn| length(off(m, &scene(), step, tip, turn)));
     }
     for last in [1.0, 100.0, 1e4] {
@@ -65,9 +62,9 @@ fn build(maker: &Maker, scene: &Scene) -> Box<dyn Engine> {
     maker.race(scene).expect("an engine that has ball joints")
 }
 
-/// A point of a body, turned back.
-fn point(motion: &Motion, local: V3, turn: Option<Q4>) -> [f64; 3] {
-    let p = add(motion.position, rotate(motion.rotation, local));
+/// Where a point of a body is, turned back.
+fn place(motion: &Motion, local: V3, turn: Option<Q4>) -> V3 {
+    let p = group_e::point(motion, local);
     turn.map_or(p, |q| rotate(conjugate(q), p))
 }
 
@@ -78,7 +75,7 @@ fn off(maker: &Maker, scene: &Scene, step: usize, tip: [f64; 2], turn: Option<Q4
     let mut motions = Vec::new();
     engine.motions(&mut motions);
     let last = scene.joints.last().expect("a chain");
-    let p = point(&motions[motions.len() - 1], last.local[1].map(|c| -c), turn);
+    let p = place(&motions[motions.len() - 1], last.local[1].map(|c| -c), turn);
     norm([p[0] - tip[0], p[1] - tip[1], p[2]])
 }
 
@@ -90,7 +87,7 @@ fn pendulum(maker: &Maker, turn: Option<Q4>) -> (f64, f64) {
     for step in 1..=scene.steps {
         engine.step();
         engine.motions(&mut motions);
-        let p = point(&motions[0], [0.0; 3], turn);
+        let p = place(&motions[0], [0.0; 3], turn);
         gap = gap.max((norm(p) - 1.0).abs());
         if last > 0.0 && p[0] <= 0.0 {
             crossings.push((step as f64 - p[0] / (p[0] - last)) * scene.dt);
@@ -99,7 +96,7 @@ fn pendulum(maker: &Maker, turn: Option<Q4>) -> (f64, f64) {
     }
     let n = crossings.len().saturating_sub(1).max(1);
     let period = (crossings.last().unwrap_or(&f64::NAN) - crossings.first().unwrap_or(&f64::NAN)) / n as f64;
-    ((period / PERIOD - 1.0).abs(), gap)
+    ((period / group_e::pendulum_period(FRAC_PI_2, true) - 1.0).abs(), gap)
 }
 
 /// How much longer than 4 m a hanging chain is \[m\].
@@ -109,6 +106,6 @@ fn stretch(maker: &Maker, last: f64, turn: Option<Q4>) -> f64 {
     (0..scene.steps).for_each(|_| engine.step());
     let mut motions = Vec::new();
     engine.motions(&mut motions);
-    let end = point(&motions[motions.len() - 1], [0.1, 0.0, 0.0], turn);
+    let end = place(&motions[motions.len() - 1], [0.1, 0.0, 0.0], turn);
     (norm(end) - 4.0).abs()
 }

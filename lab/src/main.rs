@@ -10,7 +10,6 @@ mod metrics;
 mod programs;
 mod progress;
 mod race;
-#[allow(dead_code, reason = "written by what measures, read by what shows")]
 mod records;
 mod references;
 mod replay;

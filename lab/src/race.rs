@@ -1,6 +1,7 @@
 //! One scene on every engine that was built in, side by side.
 
-use crate::engines::{self, Maker, Motion, merev::Merev};
+use crate::engines::merev::{Merev, double};
+use crate::engines::{self, Maker, Motion};
 use crate::progress;
 use crate::records::Race;
 use crate::scene::Scene;
@@ -39,14 +40,14 @@ struct Entry {
 /// # Errors
 /// Why an engine refuses the scene.
 pub fn run(scene: &Scene, options: &Options) -> Result<String, String> {
-    let bar = progress::bar(length_of(scene, options), scene.name);
+    let bar = progress::bar(length_of(options), scene.name);
     let entries = race(scene, options, &|steps| bar.inc(steps))?;
     bar.finish_and_clear();
     Ok(report(scene, options, &entries))
 }
 
 /// How many steps a race takes.
-pub fn length_of(_: &Scene, options: &Options) -> u64 {
+fn length_of(options: &Options) -> u64 {
     (options.repeats * engines::racers(options.peers).len() * options.steps) as u64
 }
 
@@ -121,7 +122,6 @@ fn row(
 ) -> Race {
     let after = Merev::measure(scene, &entry.motions);
     let after = after.as_ref();
-    let energy = |r: &StepReport| r.kinetic_energy + r.potential_energy;
     let of = |f: &dyn Fn(&StepReport) -> f64| after.map_or(f64::NAN, f);
     Race {
         scene: scene.name.into(),
@@ -133,9 +133,9 @@ fn row(
         first_ms: median(&entry.first),
         sagged_m: height(start, &entry.motions).1,
         sideways_m: sideways(start, &entry.motions),
-        overlap_m: of(&|r| f64::from(r.worst_penetration)),
-        joint_gap_m: of(&|r| f64::from(r.joint_gap)),
-        energy_change: of(&|r| before.map_or(f64::NAN, |b| change(energy(b), energy(r)))),
+        overlap_m: of(&|r| double(r.worst_penetration)),
+        joint_gap_m: of(&|r| double(r.joint_gap)),
+        energy_change: of(&|r| before.map_or(f64::NAN, |b| change(parts(b), parts(r)))),
         residual: entry.residual.unwrap_or(f64::NAN),
     }
 }
@@ -184,10 +184,15 @@ fn report(scene: &Scene, options: &Options, entries: &[Entry]) -> String {
     )
 }
 
-/// The change as a share of the larger of the two.
-fn change(before: f64, after: f64) -> f64 {
-    let size = before.abs().max(after.abs());
-    if size > 0.0 { (after - before) / size } else { 0.0 }
+/// Kinetic and potential.
+fn parts(report: &StepReport) -> [f64; 2] {
+    [report.kinetic_energy, report.potential_energy]
+}
+
+/// The change of energy, over the greatest of its parts: heights count from anywhere, so that the sum may be nothing.
+fn change(before: [f64; 2], after: [f64; 2]) -> f64 {
+    let size = before.iter().chain(&after).fold(0.0, |m: f64, e| m.max(e.abs()));
+    if size > 0.0 { (after[0] + after[1] - before[0] - before[1]) / size } else { 0.0 }
 }
 
 /// Height of the highest centre, and how much the body that began highest has come down \[m\].
@@ -232,6 +237,13 @@ mod tests {
         assert_eq!(median(&[3.0, 1.0, 2.0]), 2.0);
         assert_eq!(median(&[4.0, 1.0, 2.0, 3.0]), 2.5);
         assert!(median(&[]).is_nan());
+    }
+
+    /// What has fallen from height 0 has turned one into the other, and lost nothing.
+    #[test]
+    fn a_fall_from_nothing_changes_no_energy() {
+        assert_eq!(change([0.0; 2], [3.0, -3.0]), 0.0);
+        assert_eq!(change([0.0; 2], [3.0, -4.0]), -0.25);
     }
 
     /// Two cubes that overlap by 10 mm are measured to do so, from whichever engine the places come.

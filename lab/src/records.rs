@@ -191,7 +191,7 @@ record! {
         sideways_m: f64,
         overlap_m: f64,
         joint_gap_m: f64,
-        /// As a share of the energy at the start.
+        /// As a share of the greatest of kinetic and potential energy, at the start and at the end.
         energy_change: f64,
         /// Approach speed left at contacts \[m/s\].
         residual: f64,
@@ -236,7 +236,6 @@ impl Meta {
         fs::write(&path, text + "\n").map_err(|e| format!("{} is not written: {e}", path.display()))
     }
 
-    #[allow(dead_code, reason = "for those who show what was measured")]
     pub fn read(directory: &Path) -> Option<Self> {
         serde_json::from_str(&fs::read_to_string(directory.join(Self::FILE)).ok()?).ok()
     }
@@ -321,6 +320,7 @@ impl<T: Record> Log<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::show::samples::run;
 
     fn directory(name: &str) -> PathBuf {
         let path = std::env::temp_dir().join(format!("merev-lab-{name}-{}", std::process::id()));
@@ -329,23 +329,8 @@ mod tests {
     }
 
     fn point(rate_hz: f64, error: Option<f64>) -> WorkPrecision {
-        WorkPrecision {
-            scene: "a1_ballistic".into(),
-            group: "A".into(),
-            engine: "merev".into(),
-            method: "soft_step/moser_veselov".into(),
-            precision: "f32".into(),
-            turned: 0,
-            rate_hz,
-            sub_steps: 4,
-            iterations: 0,
-            accuracy: None,
-            is_default: 1,
-            outcome: if error.is_some() { Outcome::Ok } else { Outcome::Nan },
-            error,
-            cost_ms: Some(0.125),
-            resumed: 0,
-        }
+        let outcome = if error.is_some() { Outcome::Ok } else { Outcome::Nan };
+        WorkPrecision { outcome, error, ..run("a1_ballistic", "merev", rate_hz, 0.125, 0.0) }
     }
 
     /// What is written is read back bit for bit, and a second run goes on where the first has stopped.

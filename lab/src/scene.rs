@@ -237,7 +237,12 @@ impl Scene {
 
     /// A box-shaped floor of these half side lengths whose top is at height 0.
     pub fn floor(&mut self, half: V3) {
-        self.bodies.push(Body::fixed(Form::Box(half), [0.0, -half[1], 0.0]));
+        self.floor_of(half, |floor| floor);
+    }
+
+    /// The same with another surface.
+    pub fn floor_of(&mut self, half: V3, surface: impl Fn(Body) -> Body) {
+        self.bodies.push(surface(Body::fixed(Form::Box(half), [0.0, -half[1], 0.0])));
     }
 
     pub fn dynamic_count(&self) -> usize {

@@ -7,7 +7,7 @@
 //! | variant | idea | from | cost of a step | when | where it fails |
 //! |---|---|---|---|---|---|
 //! | `brute_force` | every moved box against every box | – | moved × all | oracle of the tests; a few dozen boxes | quadratic |
-//! | `dynamic_bvh` | two binary trees of boxes, static and moving, patched where boxes move | \[Catto GDC19\], \[Bittner 2013\], \[Wald 2007\] | (moved + pairs) × log all | many insertions and removals | boxes that all contain each other make it deep |
+//! | `dynamic_bvh` | two binary trees of boxes, static and moving, patched where boxes move | \[Catto GDC19\], \[Bittner 2013\], \[Wald 2007\] | (moved + pairs) × log all | many updates, few questions | boxes that all contain each other make it deep |
 //! | `dynamic_rtree` | two packed wide trees, patched where boxes move | \[Guttman 1984\], \[Lee, Lee 2003\] | (moved + pairs) × log all | default | everything moves far in every step: `omt` is as good |
 //! | `sort_and_sweep` | one list, sorted along the axis of greatest spread | \[Baraff 1992\] | all × window | everything moves; long scenes | boxes in a plane across the axis |
 //! | `sort_and_sweep_3` | three sorted lists, overlaps intersected | \[Cohen et al. 1995\] | all × window × 3 | for comparison | large scenes |

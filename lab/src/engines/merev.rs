@@ -55,7 +55,7 @@ pub(super) fn float(x: f64) -> Float {
 }
 
 #[allow(clippy::useless_conversion, reason = "Float may be f64")]
-pub(super) fn double(x: Float) -> f64 {
+pub fn double(x: Float) -> f64 {
     f64::from(x)
 }
 

@@ -58,6 +58,8 @@ impl Drop for Hulls {
 
 impl MerevC {
     pub fn new(scene: &Scene, method: &Method, setting: &Setting) -> Result<Self, String> {
+        // What failed before is not this world's.
+        mvGetLastError();
         let (solver, integrator) = kinds(method);
         let mut def = mvDefaultWorldDef();
         def.gravity = vector(scene.gravity);
@@ -229,6 +231,10 @@ impl Engine for MerevC {
 
     fn push(&mut self, body: usize, force: V3, point: V3) {
         mvBody_ApplyForce(self.all[body], vector(force), place(point), 1);
+    }
+
+    fn is_broken(&self) -> bool {
+        mvWorld_GetStepReport(self.world).quarantined_count > 0
     }
 
     fn motions(&self, out: &mut Vec<Motion>) {

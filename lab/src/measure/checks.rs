@@ -23,7 +23,7 @@ pub fn of(maker: &Maker) -> Vec<(&'static str, f64, f64)> {
 /// frame or unit is off by about 1; what a sum of ten thousand steps rounds to in f32 is a few thousandths.
 fn stable_spin(maker: &Maker, turned: bool) -> f64 {
     let track = spin_track(maker, turned);
-    track.map_or(f64::INFINITY, |t| group_a::stable_spin_error(&group_a::stable_spin_scene(), &t))
+    track.map_or(f64::INFINITY, |t| group_a::stable_spin_error(&t))
 }
 
 fn spin_track(maker: &Maker, turned: bool) -> Option<Track> {

@@ -181,7 +181,7 @@ fn cost(
 }
 
 /// What a trial gives with a setting: its error over its scale, and further measures; or how else it ended.
-pub struct Result3 {
+pub struct Tried {
     pub outcome: Outcome,
     pub error: Option<f64>,
     pub more: Vec<(&'static str, f64)>,
@@ -195,8 +195,8 @@ pub fn try_case(
     setting: &Setting,
     turned: bool,
     budget: Duration,
-) -> Result3 {
-    let failed = |outcome| Result3 { outcome, error: None, more: Vec::new() };
+) -> Tried {
+    let failed = |outcome| Tried { outcome, error: None, more: Vec::new() };
     match &case.trial {
         Trial::Missing => failed(Outcome::Refused),
         Trial::Run(scene, judge) => match run(maker, scene, method, setting, case.duration, turned, budget) {
@@ -208,9 +208,9 @@ pub fn try_case(
                 let outcome = verdict.outcome.unwrap_or(Outcome::Ok);
                 let error = verdict.error / case.scale.0;
                 if !error.is_finite() {
-                    return Result3 { outcome: Outcome::Nan, error: None, more };
+                    return Tried { outcome: Outcome::Nan, error: None, more };
                 }
-                Result3 { outcome, error: (outcome == Outcome::Ok).then_some(error), more }
+                Tried { outcome, error: (outcome == Outcome::Ok).then_some(error), more }
             }
         },
         Trial::Threshold(threshold) => {
@@ -229,7 +229,7 @@ pub fn try_case(
             });
             match found {
                 None => failed(ended),
-                Some(x) => Result3 {
+                Some(x) => Tried {
                     outcome: Outcome::Ok,
                     error: Some((x - threshold.exact).abs() / threshold.exact.abs()),
                     more: vec![("found", x)],

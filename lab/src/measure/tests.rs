@@ -6,7 +6,7 @@ fn case(name: &str) -> Case {
     scenes::cases().into_iter().find(|c| c.name == name).expect("a case of this name")
 }
 
-fn try_default(case: &Case, maker: &Maker) -> Result3 {
+fn try_default(case: &Case, maker: &Maker) -> Tried {
     let method = (maker.methods)()[0];
     try_case(case, maker, &method, &ladder::default_setting(), false, Duration::from_secs(20))
 }

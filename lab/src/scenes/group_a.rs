@@ -1,7 +1,7 @@
 //! A: free motion, where only the integrator counts.
 
 use super::{G, scene};
-use crate::case::{Case, Reference, Track};
+use crate::case::{Case, Reference, Track, Verdict};
 use crate::engines::Motion;
 use crate::metrics::{angular_momentum, crossings, energy, energy_change, kinetic};
 use crate::references::top;
@@ -34,7 +34,7 @@ fn ballistic() -> Case {
 }
 
 /// The box of scenes A2 to A5: 10 kg.
-fn box_of_ten(spin: V3) -> Body {
+pub fn box_of_ten(spin: V3) -> Body {
     let half = [0.05, 0.2, 0.45];
     Body { spin, density: 10.0 / (0.1 * 0.4 * 0.9), ..Body::dynamic(Form::Box(half), [0.0; 3]) }
 }
@@ -50,7 +50,7 @@ pub fn stable_spin_scene() -> Scene {
 }
 
 /// How far a run of A2 is from the truth, all that a wrong frame or unit would show in together.
-pub fn stable_spin_error(_: &Scene, track: &Track) -> f64 {
+pub fn stable_spin_error(track: &Track) -> f64 {
     let off = |k: usize| {
         let (m, t) = (&track.frames[k][0], track.times[k]);
         let turned = crate::vector::turn([1.0, 0.0, 0.0], 0.5 * t);
@@ -63,7 +63,7 @@ pub fn stable_spin_error(_: &Scene, track: &Track) -> f64 {
 }
 
 fn stable_spin() -> Case {
-    let judge = |scene: &Scene, track: &Track| super::verdict(stable_spin_error(scene, track));
+    let judge = |_: &Scene, track: &Track| super::verdict(stable_spin_error(track));
     Case::run('A', Reference::ClosedForm, stable_spin_scene(), 10.0, Box::new(judge))
         .primary("greatest of: angle off [rad], place off [m], velocity off [m/s], spin off over its size")
         .integrators()
@@ -75,6 +75,12 @@ fn kept(scene: &Scene, track: &Track) -> (f64, f64) {
     let off_l = track.greatest(|f| norm(sub(angular_momentum(scene, f), l)) / norm(l));
     let off_e = track.greatest(|f| (kinetic(scene, f) - e).abs() / e);
     (off_l, off_e)
+}
+
+/// The judge of what spins freely: the greater of both.
+pub fn kept_spin(scene: &Scene, track: &Track) -> Verdict {
+    let (l, e) = kept(scene, track);
+    super::verdict(l.max(e)).and("angular_momentum", l).and("energy", e)
 }
 
 fn tumbling() -> Case {
@@ -123,11 +129,7 @@ fn fast_slender() -> Case {
     let mut scene = scene("a5_fast_slender", "the tumbling box six times as fast");
     scene.gravity = [0.0; 3];
     scene.bodies.push(box_of_ten([0.6, 30.0, 0.6]));
-    let judge = |scene: &Scene, track: &Track| {
-        let (l, e) = kept(scene, track);
-        super::verdict(l.max(e)).and("angular_momentum", l).and("energy", e)
-    };
-    Case::run('A', Reference::Invariant, scene, 30.0, Box::new(judge))
+    Case::run('A', Reference::Invariant, scene, 30.0, Box::new(kept_spin))
         .primary("greatest change of energy or of angular momentum, over their size")
         .most_rate(480.0)
         .integrators()

@@ -33,7 +33,7 @@ fn bouncy(name: &'static str, about: &'static str) -> Scene {
 fn bouncing_ball() -> Case {
     let mut scene = bouncy("b1_bouncing_ball", "a ball falls 1 m and bounces with e = 0.8");
     let surface = |b: Body| Body { restitution: 0.8, friction: 0.0, ..b };
-    scene.bodies.push(surface(Body::fixed(Form::Box([5.0, 1.0, 5.0]), [0.0, -1.0, 0.0])));
+    scene.floor_of([5.0, 1.0, 5.0], surface);
     scene.bodies.push(surface(Body::dynamic(Form::Sphere(0.1), [0.0, 1.1, 0.0])));
     let judge = |_: &Scene, track: &Track| {
         let heights = track.series(|f| f[0].position[1] - 0.1);
@@ -62,7 +62,7 @@ fn bouncing_ball() -> Case {
 fn elastic_balls() -> Case {
     let mut scene = bouncy("b2_elastic_balls", "nine balls fall 5 m and bounce with e = 1");
     let surface = |b: Body| Body { restitution: 1.0, friction: 0.0, ..b };
-    scene.bodies.push(surface(Body::fixed(Form::Box([10.0, 1.0, 10.0]), [0.0, -1.0, 0.0])));
+    scene.floor_of([10.0, 1.0, 10.0], surface);
     for i in 0..9 {
         let (x, z) = (f64::from(i % 3), f64::from(i / 3));
         scene.bodies.push(surface(Body::dynamic(Form::Sphere(0.1), [x, 5.1, z])));
@@ -134,7 +134,7 @@ fn rod(e: f64) -> Case {
     // Of the lower corner, from the centre: its lever and its depth.
     let (lever, depth) = (half * c - thin * s, half * s + thin * c);
     let surface = |b: Body| Body { restitution: e, friction: 0.0, ..b };
-    scene.bodies.push(surface(Body::fixed(Form::Box([5.0, 1.0, 5.0]), [0.0, -1.0, 0.0])));
+    scene.floor_of([5.0, 1.0, 5.0], surface);
     scene.bodies.push(surface(Body {
         rotation: turn([0.0, 0.0, 1.0], FRAC_PI_6),
         velocity: [0.0, -speed, 0.0],
@@ -158,7 +158,7 @@ fn rod(e: f64) -> Case {
 /// 6 × 6 × 6 balls over a floor.
 fn block_of_balls(scene: &mut Scene, height: f64, e: f64) {
     let surface = |b: Body| Body { restitution: e, friction: 0.0, ..b };
-    scene.bodies.push(surface(Body::fixed(Form::Box([20.0, 1.0, 20.0]), [0.0, -1.0, 0.0])));
+    scene.floor_of([20.0, 1.0, 20.0], surface);
     let mut random = super::Random::new(666);
     let density = 10.0 / (4.0 / 3.0 * std::f64::consts::PI * 1e-3);
     for i in 0..216 {

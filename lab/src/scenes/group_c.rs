@@ -42,10 +42,10 @@ pub fn slope(flat: Scene, angle: f64) -> Scene {
     Scene { gravity, ..flat.turned(turn([0.0, 0.0, 1.0], -angle)) }
 }
 
-fn box_on_floor(name: &'static str, about: &'static str, half: V3, friction: f64) -> Scene {
+pub fn box_on_floor(name: &'static str, about: &'static str, half: V3, friction: f64) -> Scene {
     let mut scene = scene(name, about);
     let surface = |b: Body| Body { friction, ..b };
-    scene.bodies.push(surface(Body::fixed(Form::Box([50.0, 1.0, 50.0]), [0.0, -1.0, 0.0])));
+    scene.floor_of([50.0, 1.0, 50.0], surface);
     scene.bodies.push(surface(Body::dynamic(Form::Box(half), [0.0, half[1], 0.0])));
     scene
 }
@@ -99,7 +99,7 @@ fn isotropy() -> Case {
     let mut scene = scene("c2_isotropy", "nine boxes slide in nine directions and stop");
     let friction = 0.5;
     let surface = |b: Body| Body { friction, ..b };
-    scene.bodies.push(surface(Body::fixed(Form::Box([100.0, 1.0, 100.0]), [0.0, -1.0, 0.0])));
+    scene.floor_of([100.0, 1.0, 100.0], surface);
     let heading = |k: usize| {
         let (s, c) = libm::sincos(k as f64 * PI / 16.0);
         [c, 0.0, s]
@@ -129,7 +129,7 @@ fn isotropy() -> Case {
 fn slip_to_roll(name: &'static str, about: &'static str, speed: f64, spin: f64, duration: f64) -> Case {
     let mut scene = scene(name, about);
     let surface = |b: Body| Body { friction: 0.2, ..b };
-    scene.bodies.push(surface(Body::fixed(Form::Box([100.0, 1.0, 100.0]), [0.0, -1.0, 0.0])));
+    scene.floor_of([100.0, 1.0, 100.0], surface);
     // Rolling towards +x is a negative turn about z.
     scene.bodies.push(surface(Body {
         velocity: [speed, 0.0, 0.0],
@@ -153,7 +153,7 @@ fn ramp(name: &'static str, about: &'static str, inertia: f64, sides: Option<usi
     let mut flat = scene(name, about);
     let (angle, r) = (20.0 * PI / 180.0, 0.5);
     let surface = |b: Body| Body { friction: 0.8, ..b };
-    flat.bodies.push(surface(Body::fixed(Form::Box([100.0, 1.0, 20.0]), [0.0, -1.0, 0.0])));
+    flat.floor_of([100.0, 1.0, 20.0], surface);
     let form = match sides {
         None => Form::Sphere(r),
         Some(n) => {
@@ -191,7 +191,7 @@ fn rolling_plate() -> Case {
         friction: 0.4,
         ..Body::dynamic(Form::Box([10.0, 0.5, 10.0]), [0.0, 0.5, 0.0])
     };
-    scene.bodies.push(Body { friction: 0.4, ..Body::fixed(Form::Box([60.0, 1.0, 60.0]), [0.0, -1.0, 0.0]) });
+    scene.floor_of([60.0, 1.0, 60.0], |floor| Body { friction: 0.4, ..floor });
     scene.bodies.push(plate);
     for k in 0..25 {
         let at = [2.0 * f64::from(k % 5) - 4.0, 1.5, 2.0 * f64::from(k / 5) - 4.0];

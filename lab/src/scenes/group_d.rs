@@ -65,8 +65,8 @@ pub fn drift(track: &Track) -> f64 {
 
 fn ratio(name: &'static str, about: &'static str, heavy: f64) -> Case {
     let judge = |_: &Scene, track: &Track| {
-        let (first, last) = (track.first(), track.last());
-        let sunk = first.iter().zip(last).map(|(a, b)| norm(sub(a.position, b.position))).fold(0.0, f64::max);
+        let last = track.last();
+        let sunk = track.farthest(last);
         let speed = last.iter().map(|m| norm(m.velocity)).fold(0.0, f64::max);
         super::verdict(sunk.max(tower_overlap(last)))
             .and("overlap", tower_overlap(last))
@@ -125,11 +125,8 @@ fn doubling() -> Case {
         scene.bodies.push(Body::dynamic(Form::Box([half; 3]), [0.0, bottom + half, 0.0]));
         (bottom, side) = (bottom + side, 2.0 * side);
     }
-    let judge = |_: &Scene, track: &Track| {
-        let pairs = track.first().iter().zip(track.last());
-        let off = pairs.map(|(a, b)| norm(sub(a.position, b.position))).fold(0.0, f64::max);
-        super::verdict(off).and("drift_m", drift(track))
-    };
+    let judge =
+        |_: &Scene, track: &Track| super::verdict(track.farthest(track.last())).and("drift_m", drift(track));
     Case::run('D', Reference::ClosedForm, scene, 10.0, Box::new(judge))
         .primary("greatest distance of a cube from its place, at the end")
         .scale(0.25, "m, the least side")
@@ -140,7 +137,7 @@ fn card_house() -> Case {
     let mut scene = scene("d5_card_house", "a house of cards of three levels");
     let friction = 0.7;
     let surface = |b: Body| Body { friction, ..b };
-    scene.bodies.push(surface(Body::fixed(Form::Box([5.0, 1.0, 5.0]), [0.0, -1.0, 0.0])));
+    scene.floor_of([5.0, 1.0, 5.0], surface);
     let (half, thin, tilt) = (0.2, 0.005, 25.0 * PI / 180.0);
     let (s, c) = libm::sincos(tilt);
     // Half the width of a leaning pair at its feet, and its height.
@@ -166,12 +163,9 @@ fn card_house() -> Case {
         }
     }
     let judge = |_: &Scene, track: &Track| {
-        let worst = |f: &[Motion]| {
-            let pairs = track.first().iter().zip(f);
-            pairs.map(|(a, b)| norm(sub(a.position, b.position))).fold(0.0, f64::max)
-        };
-        let fell = (0..track.len()).find(|&k| worst(&track.frames[k]) > 0.1);
-        super::verdict(worst(track.last())).and("stood_s", track.times[fell.unwrap_or(track.len() - 1)])
+        let fell = (0..track.len()).find(|&k| track.farthest(&track.frames[k]) > 0.1);
+        super::verdict(track.farthest(track.last()))
+            .and("stood_s", track.times[fell.unwrap_or(track.len() - 1)])
     };
     Case::run('D', Reference::Invariant, scene, 5.0, Box::new(judge))
         .primary("greatest distance of a card from its place, at the end")
@@ -187,7 +181,7 @@ fn arch(thickness: f64, friction: f64) -> Scene {
     let (inner, outer) = (radius * (1.0 - 0.5 * thickness), radius * (1.0 + 0.5 * thickness));
     let surface = |b: Body| Body { friction, ..b };
     // The feet rest on the floor: the last joints are level.
-    scene.bodies.push(surface(Body::fixed(Form::Box([20.0, 1.0, 20.0]), [0.0, -1.0, 0.0])));
+    scene.floor_of([20.0, 1.0, 20.0], surface);
     // A stone in a frame whose y is outward, its centre of mass at the origin.
     let (s, c) = libm::sincos(0.5 * step);
     let area = 0.5 * (outer * outer - inner * inner) * libm::sin(step);
@@ -222,8 +216,7 @@ fn arch(thickness: f64, friction: f64) -> Scene {
 
 /// Whether no stone has gone far.
 fn arch_stands(track: &Track) -> bool {
-    let pairs = track.first().iter().zip(track.last());
-    pairs.map(|(a, b)| norm(sub(a.position, b.position))).fold(0.0, f64::max) < 0.05
+    track.farthest(track.last()) < 0.05
 }
 
 fn arch_thickness() -> Case {
@@ -274,11 +267,8 @@ fn kapla() -> Case {
             scene.bodies.push(Body { density, ..Body::dynamic(Form::Box(half), [at[0], y, at[1]]) });
         }
     }
-    let judge = |_: &Scene, track: &Track| {
-        let pairs = track.first().iter().zip(track.last());
-        let off = pairs.map(|(a, b)| norm(sub(a.position, b.position))).fold(0.0, f64::max);
-        super::verdict(off).and("drift_m", drift(track))
-    };
+    let judge =
+        |_: &Scene, track: &Track| super::verdict(track.farthest(track.last())).and("drift_m", drift(track));
     Case::run('D', Reference::ClosedForm, scene, 10.0, Box::new(judge))
         .primary("greatest distance of a plate from its place, at the end")
         .scale(0.8, "m, the height")
@@ -288,13 +278,12 @@ fn kapla() -> Case {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engines::merev::Merev;
+    use crate::engines::merev::{Merev, double};
 
     #[test]
     fn an_arch_and_a_house_of_cards_begin_without_overlap() {
-        let overlap = |scene: &Scene| {
-            f64::from(Merev::measure(scene, &Motion::start(scene)).unwrap().worst_penetration)
-        };
+        let overlap =
+            |scene: &Scene| double(Merev::measure(scene, &Motion::start(scene)).unwrap().worst_penetration);
         assert!(overlap(&arch(0.2, 0.6)) < 1e-5, "{}", overlap(&arch(0.2, 0.6)));
         if let crate::case::Trial::Run(scene, _) = card_house().trial {
             assert!(overlap(&scene) < 1e-4, "{}", overlap(&scene));

@@ -48,14 +48,13 @@ fn rod(mass: f64, length: f64, at: V3) -> Body {
 }
 
 /// A point of a body.
-fn point(m: &Motion, local: V3) -> V3 {
+pub fn point(m: &Motion, local: V3) -> V3 {
     add(m.position, rotate(m.rotation, local))
 }
 
 /// The mass sits on a bar that turns with it (a ball joint), or hangs by a rod that holds nothing but its distance.
-fn pendulum(name: &'static str, about: &'static str, degrees: f64, bar: bool) -> Case {
+pub fn pendulum_scene(name: &'static str, about: &'static str, amplitude: f64, bar: bool) -> Scene {
     let mut scene = scene(name, about);
-    let amplitude = degrees * PI / 180.0;
     let (s, c) = libm::sincos(amplitude);
     scene.bodies.push(ground());
     scene.bodies.push(Body {
@@ -70,8 +69,18 @@ fn pendulum(name: &'static str, about: &'static str, degrees: f64, bar: bool) ->
     } else {
         Joint::new(Hold::Rod(1.0), [0, 1], [[0.0; 3]; 2])
     });
-    // The bar has no mass, the ball 1e-5 kg m²: if it turns with the bar, the pendulum is as much longer.
-    let period = elliptic::pendulum_period(if bar { 1.0 + 1e-5 } else { 1.0 }, amplitude, G);
+    scene
+}
+
+/// Its period \[s\]. The bar has no mass, the ball 1e-5 kg m²: if it turns with the bar, the pendulum is as much longer.
+pub fn pendulum_period(amplitude: f64, bar: bool) -> f64 {
+    elliptic::pendulum_period(if bar { 1.0 + 1e-5 } else { 1.0 }, amplitude, G)
+}
+
+fn pendulum(name: &'static str, about: &'static str, degrees: f64, bar: bool) -> Case {
+    let amplitude = degrees * PI / 180.0;
+    let scene = pendulum_scene(name, about, amplitude, bar);
+    let period = pendulum_period(amplitude, bar);
     let judge = move |scene: &Scene, track: &Track| {
         let zeros = crossings(&track.times, &track.series(|f| f[0].position[0]), false, true);
         let n = zeros.len().saturating_sub(1);

@@ -1,6 +1,6 @@
 //! F to J: fast bodies, geometry, scale, long runs, ensembles.
 
-use super::{MESH, scene};
+use super::{MESH, group_a, group_c, scene};
 use crate::case::{Case, Reference, Track};
 use crate::engines::Motion;
 use crate::metrics::{angular_momentum, energy, kinetic, momentum};
@@ -249,9 +249,8 @@ fn far_stack(name: &'static str, about: &'static str, far: f64) -> Case {
     let judge = |_: &Scene, track: &Track| {
         let late = &track.frames[track.len() / 2..];
         let speed = |f: &Vec<Motion>| f.iter().map(|m| norm(m.velocity)).fold(0.0, f64::max);
-        let pairs = track.first().iter().zip(track.last());
-        let off = pairs.map(|(a, b)| norm(sub(a.position, b.position))).fold(0.0, f64::max);
-        super::verdict(off).and("late_speed_m_s", late.iter().map(speed).fold(0.0, f64::max))
+        super::verdict(track.farthest(track.last()))
+            .and("late_speed_m_s", late.iter().map(speed).fold(0.0, f64::max))
     };
     Case::run('H', Reference::ClosedForm, scene, 5.0, Box::new(judge))
         .primary("greatest distance of a box from its place, at the end")
@@ -266,10 +265,7 @@ fn scaled(name: &'static str, about: &'static str, size: f64) -> Case {
         let at = [0.0, size * (0.5 + f64::from(k)), 0.0];
         scene.bodies.push(Body::dynamic(Form::Box([0.5 * size; 3]), at));
     }
-    let judge = |_: &Scene, track: &Track| {
-        let pairs = track.first().iter().zip(track.last());
-        super::verdict(pairs.map(|(a, b)| norm(sub(a.position, b.position))).fold(0.0, f64::max))
-    };
+    let judge = |_: &Scene, track: &Track| super::verdict(track.farthest(track.last()));
     Case::run('H', Reference::ClosedForm, scene, 5.0, Box::new(judge))
         .primary("greatest distance of a cube from its place, at the end")
         .scale(size, "m, the side")
@@ -301,11 +297,9 @@ fn boosted() -> Case {
 }
 
 fn creep() -> Case {
-    let mut flat = scene("i1_creep", "a box on a slope at 0.9 of the friction angle, for a minute");
-    let surface = |b: Body| Body { friction: 0.5, ..b };
-    flat.bodies.push(surface(Body::fixed(Form::Box([50.0, 1.0, 50.0]), [0.0, -1.0, 0.0])));
-    flat.bodies.push(surface(Body::dynamic(Form::Box([0.5, 0.25, 0.5]), [0.0, 0.25, 0.0])));
-    let scene = super::group_c::slope(flat, libm::atan(0.45));
+    let about = "a box on a slope at 0.9 of the friction angle, for a minute";
+    let flat = group_c::box_on_floor("i1_creep", about, [0.5, 0.25, 0.5], 0.5);
+    let scene = group_c::slope(flat, libm::atan(0.45));
     let judge = |_: &Scene, track: &Track| {
         let late = &track.frames[track.len() / 6];
         let moved = norm(sub(track.last()[0].position, late[0].position));
@@ -320,18 +314,8 @@ fn creep() -> Case {
 fn long_spin() -> Case {
     let mut scene = scene("i2_long_spin", "the tumbling box for five minutes");
     scene.gravity = [0.0; 3];
-    scene.bodies.push(Body {
-        spin: [0.1, 5.0, 0.1],
-        density: 10.0 / (0.1 * 0.4 * 0.9),
-        ..Body::dynamic(Form::Box([0.05, 0.2, 0.45]), [0.0; 3])
-    });
-    let judge = |scene: &Scene, track: &Track| {
-        let (l, e) = (angular_momentum(scene, track.first()), kinetic(scene, track.first()));
-        let off_e = track.greatest(|f| (kinetic(scene, f) / e - 1.0).abs());
-        let off_l = track.greatest(|f| norm(sub(angular_momentum(scene, f), l)) / norm(l));
-        super::verdict(off_e.max(off_l)).and("energy", off_e).and("angular_momentum", off_l)
-    };
-    Case::run('I', Reference::Invariant, scene, 300.0, Box::new(judge))
+    scene.bodies.push(group_a::box_of_ten([0.1, 5.0, 0.1]));
+    Case::run('I', Reference::Invariant, scene, 300.0, Box::new(group_a::kept_spin))
         .primary("greatest change of energy or of angular momentum, over their size")
         .integrators()
         .most_rate(120.0)

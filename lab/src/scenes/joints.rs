@@ -1,6 +1,8 @@
 //! Chains, pendulums and a cloth of ball joints.
 
-use crate::scene::{Body, Form, Joint, Kind, Mass, Scene};
+use super::group_e;
+use crate::scene::{Body, Form, Joint, Kind, Scene};
+use std::f64::consts::FRAC_PI_2;
 
 /// A cloth of 100 × 100 spheres whose upper row is fixed, tied to their neighbours: 19 800 ball joints.
 pub fn joint_grid() -> Scene {
@@ -25,67 +27,33 @@ pub fn joint_grid() -> Scene {
     scene
 }
 
-/// `count` thin rods of this length along x from the origin, held by ball joints: E1 to E3 of the catalogue. The
-/// last one has the mass `last` \[kg\], the others 1 kg.
-fn chain(name: &'static str, about: &'static str, count: usize, size: f64, last: f64, steps: usize) -> Scene {
-    let mut scene = Scene::new(name, about, steps);
-    scene.gravity = [0.0, -9.81, 0.0];
-    scene.bodies.push(Body { collides: false, ..Body::fixed(Form::Sphere(0.02), [0.0; 3]) });
-    for i in 0..count {
-        let x = (i as f64 + 0.5) * size;
-        let mass = if i + 1 == count { last } else { 1.0 };
-        let across = mass * size * size / 12.0;
-        scene.bodies.push(Body {
-            collides: false,
-            mass: Some(Mass { mass, inertia: [0.01 * across, across, across] }),
-            ..Body::dynamic(Form::Sphere(0.02), [x, 0.0, 0.0])
-        });
-        let end = if i == 0 { 0.0 } else { 0.5 * size };
-        let ends = [[end, 0.0, 0.0], [-0.5 * size, 0.0, 0.0]];
-        scene.joints.push(Joint::ball([i, i + 1], ends));
-    }
-    scene
+/// Thin rods along x from the origin, held by ball joints, for the race.
+fn chain(name: &'static str, about: &'static str, count: usize, size: f64, steps: usize) -> Scene {
+    Scene { steps, ..group_e::rods(name, about, count, size, 1.0) }
 }
 
 pub fn double_pendulum() -> Scene {
-    chain("double_pendulum", "two rods from the horizontal (E2)", 2, 1.0, 1.0, 180)
+    chain("double_pendulum", "two rods from the horizontal (E2)", 2, 1.0, 180)
 }
 
 pub fn chain_10() -> Scene {
-    chain("chain_10", "ten rods from the horizontal (E3)", 10, 0.2, 1.0, 60)
+    chain("chain_10", "ten rods from the horizontal (E3)", 10, 0.2, 60)
 }
 
 pub fn chain_20() -> Scene {
-    chain("chain_20", "twenty rods from the horizontal (E3)", 20, 0.2, 1.0, 60)
+    chain("chain_20", "twenty rods from the horizontal (E3)", 20, 0.2, 60)
 }
 
-/// A point mass on a bar of 1 m, from the horizontal (E1).
+/// A point mass on a bar of 1 m (E1).
 pub fn pendulum() -> Scene {
-    let mut scene = Scene::new("pendulum", "a point mass on a bar, from the horizontal (E1)", 900);
-    scene.gravity = [0.0, -9.81, 0.0];
-    scene.bodies.push(Body { collides: false, ..Body::fixed(Form::Sphere(0.02), [0.0; 3]) });
-    scene.bodies.push(Body {
-        collides: false,
-        // As small as Box3D bears: a sphere of 5 mm.
-        mass: Some(Mass { mass: 1.0, inertia: [1e-5; 3] }),
-        ..Body::dynamic(Form::Sphere(0.005), [1.0, 0.0, 0.0])
-    });
-    scene.joints.push(Joint::ball([0, 1], [[0.0; 3], [-1.0, 0.0, 0.0]]));
-    scene
+    let about = "a point mass on a bar, from the horizontal (E1)";
+    Scene { steps: 900, ..group_e::pendulum_scene("pendulum", about, FRAC_PI_2, true) }
 }
 
-/// Twenty rods hanging at rest, the last one of this mass (E4).
+/// The last of the rods has this mass (E4).
 pub fn hanging_chain(last: f64) -> Scene {
-    let mut scene = chain("hanging_chain", "twenty rods hanging at rest (E4)", 20, 0.2, last, 600);
-    let half = std::f64::consts::FRAC_1_SQRT_2;
-    for body in &mut scene.bodies {
-        let [x, _, _] = body.position;
-        body.position = [0.0, -x, 0.0];
-        body.rotation = [0.0, 0.0, -half, half];
-    }
-    // The ground's own frame stays; its anchor is the origin.
-    scene.bodies[0].rotation = [0.0, 0.0, 0.0, 1.0];
-    scene
+    let about = "twenty rods hanging at rest (E4)";
+    Scene { steps: 600, ..group_e::hanging_scene("hanging_chain", about, 20, last) }
 }
 
 pub fn hanging_chain_1() -> Scene {
