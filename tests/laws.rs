@@ -199,6 +199,65 @@ fn c3_a_sliding_ball_comes_to_roll() {
     }
 }
 
+/// B5: a slender rod lands on its lower end. p = (1 + e) v / (1/m + l²/I) at the lever l (Stronge, *Impact Mechanics*, §3).
+#[test]
+fn b5_a_slanted_rod_leaves_with_the_impulse_of_its_corner() {
+    for turn in orientations() {
+        for e in [0.5, 1.0] {
+            let mut scene = Scene::new(&WorldDef { gravity: Vec3::zeros(), ..def() }, turn);
+            scene.floor(&surface(0.0, e));
+            let (half, thin, speed): (Float, Float, Float) = (0.5, 0.025, 3.0);
+            let (s, c) = scalar::sin_cos(scalar::PI / 6.0);
+            let (lever, depth) = (half * c - thin * s, half * s + thin * c);
+            let start = BodyDef {
+                rotation: quat_about(Vec3::z(), scalar::PI / 6.0),
+                linear_velocity: vec3(0.0, -speed, 0.0),
+                ..BodyDef::dynamic(vec3(0.0, depth + 0.05, 0.0))
+            };
+            let material = ShapeDef { density: 1.0 / (8.0 * half * thin * thin), ..surface(0.0, e) };
+            let rod = scene.add(&start, &material, Shape::new_box(2.0 * half, 2.0 * thin, 2.0 * thin));
+            scene.steps(5);
+            let inertia = (half * half + thin * thin) / 3.0;
+            let p = (1.0 + e) * speed / (1.0 + lever * lever / inertia);
+            let spin = turn.conjugate() * scene.world.body(rod).unwrap().angular_velocity();
+            let off = [
+                length(scene.velocity(rod) - vec3(0.0, p - speed, 0.0)) / speed,
+                length(spin - vec3(0.0, 0.0, -p * lever / inertia)) * half / speed,
+            ];
+            println!("B5, e = {e}: velocity off by {:.1e}, spin by {:.1e} of the speed", off[0], off[1]);
+            assert!(off[0] < 1e-4 && off[1] < 1e-4, "{off:?}");
+        }
+    }
+}
+
+/// F4: a box at 20 m/s passes another 5 mm from its edge, and one that is 5 mm lower does not.
+#[test]
+fn f4_a_box_that_passes_an_edge_is_not_caught_and_one_that_hits_is() {
+    for turn in orientations() {
+        for (gap, passes) in [(5e-3, true), (-5e-3, false)] {
+            for phase in 0..8 {
+                let mut scene = Scene::new(&WorldDef { gravity: Vec3::zeros(), ..def() }, turn);
+                scene.add(
+                    &BodyDef::fixed(vec3(0.0, -0.5, 0.0)),
+                    &surface(0.6, 0.0),
+                    Shape::new_box(1.0, 1.0, 1.0),
+                );
+                let start = BodyDef {
+                    linear_velocity: vec3(20.0, 0.0, 0.0),
+                    ..BodyDef::dynamic(vec3(-3.0 - 0.04 * phase as Float, 0.5 + gap, 0.0))
+                };
+                let body = scene.add(&start, &surface(0.6, 0.0), Shape::new_box(1.0, 1.0, 1.0));
+                scene.steps(24);
+                let off = length(scene.velocity(body) - vec3(20.0, 0.0, 0.0)) / 20.0;
+                assert!(
+                    if passes { off < 1e-5 } else { off > 0.3 },
+                    "gap {gap}, phase {phase}: off by {off}"
+                );
+            }
+        }
+    }
+}
+
 #[test]
 fn a_resting_box_neither_floats_nor_sinks() {
     for turn in orientations() {

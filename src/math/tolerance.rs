@@ -61,6 +61,10 @@ pub const FAT_MARGIN: Float = 0.1;
 /// towards each other in the step: enough that a resting body's points never flicker.
 pub const CONTACT_MARGIN: Float = 0.02;
 
+/// Shapes farther apart than this share of the smaller inner radius, which would meet in the step, are asked whether
+/// they do: corners may fly past each other. What rests is nearer by far.
+pub const PASSING_GAP: Float = 1e-3;
+
 /// Shapes cease to touch, for the events, at a gap of this share of the inner radius: wider than rounding, so
 /// that a resting contact does not end and begin.
 pub const TOUCH_MARGIN: Float = 1e-3;

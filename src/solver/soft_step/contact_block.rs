@@ -164,7 +164,13 @@ pub trait ImpactPart<L: Lane, const P: usize>: Copy + Send + Sync + std::fmt::De
     fn get(&mut self) -> Option<&mut Impact<L, P>>;
     /// For point `k`: where an impact is on, and its target velocity in the first sweep or in the relax pass.
     fn target(&self, k: usize, relax: bool) -> Option<(L::Mask, L)>;
+    /// Where any point has an impact.
+    fn struck(&self) -> Option<L::Mask>;
 }
+
+/// Sweeps over the points of a manifold that an impact struck. An impact has no next sub-step to be put right in: with
+/// one sweep the point that comes first would take most of it, and turn a slender body about its length.
+const IMPACT_SWEEPS: usize = 16;
 
 impl<L: Lane, const P: usize> ImpactPart<L, P> for NoImpact {
     #[inline(always)]
@@ -177,6 +183,10 @@ impl<L: Lane, const P: usize> ImpactPart<L, P> for NoImpact {
     }
     #[inline(always)]
     fn target(&self, _: usize, _: bool) -> Option<(L::Mask, L)> {
+        None
+    }
+    #[inline(always)]
+    fn struck(&self) -> Option<L::Mask> {
         None
     }
 }
@@ -193,6 +203,10 @@ impl<L: Lane, const P: usize> ImpactPart<L, P> for Impact<L, P> {
     #[inline(always)]
     fn target(&self, k: usize, relax: bool) -> Option<(L::Mask, L)> {
         Some((self.on[k].gt(L::zero()), if relax { self.end[k] } else { self.mean[k] }))
+    }
+    #[inline(always)]
+    fn struck(&self) -> Option<L::Mask> {
+        Some(self.on.iter().fold(L::zero(), |most, &on| most.max(on)).gt(L::zero()))
     }
 }
 
@@ -536,33 +550,51 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Contac
         let (inv_h, push_out) = (L::splat(sub.inv_h), -push_out);
 
         self.friction.solve(n, self.offset, &self.points, &mut a, &mut b, RELAX);
-        for (k, p) in self.points.iter_mut().enumerate() {
-            let (ra, rb) = (p.r, p.r + self.offset);
-            let (ka, kb) = (ra.cross(n), rb.cross(n));
-            let s = p.separation + (shift + (rb.dot(mb) - ra.dot(ma)));
-            let v = n.dot(b.v - a.v) + (kb.dot(b.w) - ka.dot(a.w));
+        let struck = self.impact.struck();
+        let rounds = if P > 1 && struck.is_some_and(L::any) { IMPACT_SWEEPS } else { 1 };
+        for round in 0..rounds {
+            for (k, p) in self.points.iter_mut().enumerate() {
+                let (ra, rb) = (p.r, p.r + self.offset);
+                let (ka, kb) = (ra.cross(n), rb.cross(n));
+                let s = p.separation + (shift + (rb.dot(mb) - ra.dot(ma)));
+                let v = n.dot(b.v - a.v) + (kb.dot(b.w) - ka.dot(a.w));
 
-            let apart = (s * p.mass * stiffness).gt(impulse_scale * p.memory);
-            let mut bias = L::select(apart, s * inv_h, if RELAX { zero } else { (rate * s).max(push_out) });
-            let mut scale = if RELAX { one } else { L::select(apart, one, mass_scale) };
-            let mut leak = if RELAX { zero } else { L::select(apart, zero, impulse_scale) };
-            if let Some((on, target)) = self.impact.target(k, RELAX) {
-                bias = L::select(on, -target, bias);
-                scale = L::select(on, one, scale);
-                leak = L::select(on, zero, leak);
+                let apart = (s * p.mass * stiffness).gt(impulse_scale * p.memory);
+                let mut bias =
+                    L::select(apart, s * inv_h, if RELAX { zero } else { (rate * s).max(push_out) });
+                let mut scale = if RELAX { one } else { L::select(apart, one, mass_scale) };
+                let mut leak = if RELAX { zero } else { L::select(apart, zero, impulse_scale) };
+                if let Some((on, target)) = self.impact.target(k, RELAX) {
+                    bias = L::select(on, -target, bias);
+                    scale = L::select(on, one, scale);
+                    leak = L::select(on, zero, leak);
+                }
+                let (ta, tb) = (a.inv_inertia.times(ka), b.inv_inertia.times(kb));
+                let mut mass = p.mass;
+                if round > 0 {
+                    // That of the step's start is wrong where bodies have turned, which many sweeps would blow up.
+                    let now = inverse(a.inv_mass + b.inv_mass + ka.dot(ta) + kb.dot(tb));
+                    mass = L::select(mass.gt(zero), now, zero);
+                }
+                let change = -(mass * scale * (v + bias)) - leak * (p.lambda - p.memory);
+                let mut lambda = (p.lambda + change).max(zero);
+                if let Some(struck) = struck
+                    && round > 0
+                {
+                    // Lanes without an impact stay as they are after the first round, whoever is beside them.
+                    lambda = L::select(struck, lambda, p.lambda);
+                }
+                let change = lambda - p.lambda;
+                p.lambda = lambda;
+                if RELAX {
+                    p.total = p.total + if round == 0 { lambda } else { change };
+                }
+                let (pa, pb) = (change * a.inv_mass, change * b.inv_mass);
+                a.v = a.v - n.times(pa);
+                b.v = b.v + n.times(pb);
+                a.w = a.w - ta.times(change);
+                b.w = b.w + tb.times(change);
             }
-            let change = -(p.mass * scale * (v + bias)) - leak * (p.lambda - p.memory);
-            let lambda = (p.lambda + change).max(zero);
-            let change = lambda - p.lambda;
-            p.lambda = lambda;
-            if RELAX {
-                p.total = p.total + lambda;
-            }
-            let (pa, pb) = (change * a.inv_mass, change * b.inv_mass);
-            a.v = a.v - n.times(pa);
-            b.v = b.v + n.times(pb);
-            a.w = a.w - a.inv_inertia.times(ka).times(change);
-            b.w = b.w + b.inv_inertia.times(kb).times(change);
         }
         rows.scatter::<L>(&self.a, &a);
         rows.scatter::<L>(&self.b, &b);
