@@ -1,5 +1,5 @@
-//! The C library, seen from C: programs in tests/capi and examples-c, built by the system's compiler against the
-//! library and header of this very build.
+//! The C library, seen from C and C++: programs in tests/capi, tests/cpp, examples-c and bindings, built by the system's
+//! compiler against the library and headers of this very build.
 //!
 //! `MEREV_RUNNER`, e.g. "valgrind -q --error-exitcode=9", runs the programs under that tool.
 #![cfg(target_os = "linux")]
@@ -40,6 +40,9 @@ fn compiler(standard: &str) -> Command {
         .to_command();
     command.arg(format!("-std={standard}")).args(["-Wall", "-Wextra", "-Wpedantic", "-Werror"]);
     command.arg("-I").arg(root().join("include"));
+    if standard.starts_with("c++") {
+        command.arg("-I").arg(root().join("bindings/cpp")).args(["-fno-exceptions", "-fno-rtti"]);
+    }
     if cfg!(feature = "f64") {
         command.arg("-DMV_DOUBLE_PRECISION");
     }
@@ -58,7 +61,7 @@ fn sources(dir: &str) -> Vec<PathBuf> {
     let mut files: Vec<PathBuf> = std::fs::read_dir(root().join(dir))
         .unwrap()
         .map(|f| f.unwrap().path())
-        .filter(|p| p.extension().is_some_and(|e| e == "c"))
+        .filter(|p| p.extension().is_some_and(|e| e == "c" || e == "cpp"))
         .collect();
     files.sort();
     assert!(!files.is_empty());
@@ -84,8 +87,8 @@ fn preprocessed(source: &Path) -> String {
 /// Builds a program, shared or static.
 fn build(source: &Path, shared: bool) -> PathBuf {
     let kind = if shared { "shared" } else { "static" };
-    let program = out_dir().join(format!("{}-{kind}", source.file_stem().unwrap().to_str().unwrap()));
-    let mut command = compiler("c99");
+    let program = out_dir().join(format!("{}-{kind}", source.file_name().unwrap().to_str().unwrap()));
+    let mut command = compiler(if source.extension().is_some_and(|e| e == "cpp") { "c++17" } else { "c99" });
     command.arg(source).arg("-o").arg(&program).arg("-pthread");
     if shared {
         command.arg("-L").arg(library_dir()).arg("-lmerev").arg("-lm");
@@ -103,6 +106,11 @@ fn build(source: &Path, shared: bool) -> PathBuf {
 
 /// Runs a program; says what was wrong, if anything.
 fn run(program: &Path) -> Option<String> {
+    output(program).err()
+}
+
+/// What a program prints, or what was wrong.
+fn output(program: &Path) -> Result<String, String> {
     let runner = std::env::var("MEREV_RUNNER").unwrap_or_default();
     let mut words = runner.split_whitespace();
     let mut command = match words.next() {
@@ -118,7 +126,10 @@ fn run(program: &Path) -> Option<String> {
     let text =
         format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     print!("{text}");
-    (!output.status.success()).then(|| format!("{}: {}\n{text}", program.display(), output.status))
+    match output.status.success() {
+        true => Ok(text),
+        false => Err(format!("{}: {}\n{text}", program.display(), output.status)),
+    }
 }
 
 #[test]
@@ -136,6 +147,76 @@ fn the_examples_pass_shared_and_static() {
         let lines = std::fs::read_to_string(&source).unwrap().lines().count();
         assert!(lines < 120, "{} has {lines} lines", source.display());
     }
+}
+
+#[test]
+fn the_cpp_tests_pass() {
+    let hello = root().join("bindings/cpp/hello.cpp");
+    let wrong: Vec<String> =
+        sources("tests/cpp").iter().chain([&hello]).filter_map(|s| run(&build(s, true))).collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// The C++ header, by every compiler that is there.
+#[test]
+fn the_cpp_header_is_clean() {
+    let source = root().join("tests/cpp/world.cpp");
+    for standard in ["c++17", "c++20"] {
+        for precision in ["-DMV_DOUBLE_PRECISION", "-UMV_DOUBLE_PRECISION"] {
+            let own = compiler(standard);
+            let clang = Command::new("clang++").arg("--version").output().is_ok().then(|| {
+                let mut clang = Command::new("clang++");
+                clang.args(own.get_args().filter(|a| a.to_str().is_some_and(|a| !a.starts_with("--target"))));
+                clang
+            });
+            for mut command in [own].into_iter().chain(clang) {
+                command.arg(precision).arg("-Wconversion").arg("-fsyntax-only").arg(&source);
+                assert_eq!(succeed(&mut command), "");
+            }
+        }
+    }
+}
+
+/// A method is the C function and nothing else.
+#[test]
+fn a_method_is_the_same_machine_code() {
+    let instructions = |extension: &str, standard: &str, text: &str| -> Vec<String> {
+        let source = out_dir().join(format!("getter.{extension}"));
+        std::fs::write(&source, text).unwrap();
+        let mut command = compiler(standard);
+        let listing = succeed(command.args(["-O2", "-g0", "-S", "-o", "-"]).arg(&source));
+        let code = listing.lines().map(str::trim).filter(|l| !l.is_empty() && !l.starts_with(['.', '#']));
+        code.map(|l| l.split_whitespace().collect::<Vec<_>>().join(" ")).collect()
+    };
+    let c = instructions(
+        "c",
+        "c99",
+        "#include \"merev.h\"\nmvVec3 velocity(mvBodyId b);\nmvFloat angle(mvJointId j);\n\
+         mvVec3 velocity(mvBodyId b) { return mvBody_GetLinearVelocity(b); }\n\
+         mvFloat angle(mvJointId j) { return mvRevoluteJoint_GetAngle(j); }\n",
+    );
+    let cpp = instructions(
+        "cpp",
+        "c++17",
+        "#include \"merev.hpp\"\nextern \"C\" {\n\
+         mvVec3 velocity(merev::Body b) { return b.getLinearVelocity(); }\n\
+         mvFloat angle(merev::RevoluteJoint j) { return j.getAngle(); }\n}\n",
+    );
+    assert!(c.iter().any(|l| l.contains("mvBody_GetLinearVelocity")), "{c:?}");
+    assert_eq!(c, cpp);
+}
+
+/// One scene (bindings/README.md) gives one hash in C and in C++, shared and static.
+#[test]
+fn the_same_hash_in_every_language() {
+    let programs = sources("bindings/same_hash");
+    assert_eq!(programs.len(), 2);
+    let hashes: Vec<String> = programs
+        .iter()
+        .flat_map(|source| [true, false].map(|shared| output(&build(source, shared)).unwrap()))
+        .collect();
+    assert!(hashes.iter().all(|hash| *hash == hashes[0]), "{hashes:?}");
+    assert!(hashes[0].trim().len() == 16 && u64::from_str_radix(hashes[0].trim(), 16).unwrap() != 0);
 }
 
 /// The header alone, as C and as C++, in both precisions.

@@ -102,13 +102,15 @@ fn fill(template: &str, header: &str) -> Outcome<String> {
         .filter(|kind| kind.ends_with("Joint") && all.iter().any(|f| f.name == format!("mvDefault{kind}Def")))
         .collect();
 
+    // What the template's code calls; its comments only talk about it.
+    let by_hand: String = template.lines().filter(|l| !l.trim().starts_with("//")).collect();
     let methods = |class: &str, indent: &str| -> String {
         let prefix = format!("{class}_");
         let own = all.iter().filter(|f| f.name.starts_with(&prefix));
         // What takes no id of the class, as the bulk calls, stays a C function.
         let own = own
             .filter(|f| f.parameters.first().is_some_and(|(t, _)| t.starts_with("mv") && t.ends_with("Id")));
-        own.filter(|f| !template.contains(&format!("{}(", f.name)))
+        own.filter(|f| !by_hand.contains(&format!("{}(", f.name)))
             .map(|f| method(f, &f.name[prefix.len()..], &aliases, indent))
             .collect()
     };
@@ -132,9 +134,8 @@ fn fill(template: &str, header: &str) -> Outcome<String> {
             }
             Some("create-joints") => {
                 for kind in &joints {
-                    out += &format!(
-                        "    {kind} create{kind}(const {kind}Def& def) const noexcept {{ return mvCreate{kind}(id(), &def); }}\n"
-                    );
+                    out += &format!("    {kind} create{kind}(const {kind}Def& def) const noexcept {{\n");
+                    out += &format!("        return mvCreate{kind}(id(), &def);\n    }}\n");
                 }
             }
             Some(mark) => match mark.strip_prefix("methods ") {
@@ -184,8 +185,29 @@ fn method(f: &Function, verb: &str, aliases: &BTreeMap<&str, &str>, indent: &str
     let doc = format!("{indent}/// {}\n", f.doc);
     match one.len() <= 121 {
         true => doc + &one,
-        false => format!("{doc}{indent}{head} {{\n{indent}    {call}\n{indent}}}\n"),
+        false => {
+            let head = wrapped(&format!("{indent}{head} {{"), &format!("{indent}        "));
+            format!(
+                "{doc}{head}\n{}\n{indent}}}\n",
+                wrapped(&format!("{indent}    {call}"), &format!("{indent}        "))
+            )
+        }
     }
+}
+
+/// Breaks a line after commas where it would be longer than the others.
+fn wrapped(line: &str, indent: &str) -> String {
+    let (mut out, mut column) = (String::new(), 0);
+    for piece in line.split_inclusive(", ") {
+        if column > 0 && column + piece.trim_end().len() > 120 {
+            out.truncate(out.trim_end().len());
+            out += &format!("\n{indent}");
+            column = indent.len();
+        }
+        out += piece;
+        column += piece.len();
+    }
+    out
 }
 
 #[cfg(test)]
@@ -198,8 +220,8 @@ mod tests {
 
     #[test]
     fn functions_become_methods() {
-        let template = "using Vec3 = mvVec3;\n    // @methods mvBody\nvoid odd() { mvBody_Odd(id()); }\n";
-        let expected = "using Vec3 = mvVec3;\n    /// Get it.\n    Vec3 getIt() const noexcept { return mvBody_GetIt(id()); }\n    \
+        let template = "// mvBody_GetIt(body) is body.getIt()\nusing Vec3 = mvVec3;\n    // @methods mvBody\nvoid odd() { mvBody_Odd(id()); }\n";
+        let expected = "// mvBody_GetIt(body) is body.getIt()\nusing Vec3 = mvVec3;\n    /// Get it.\n    Vec3 getIt() const noexcept { return mvBody_GetIt(id()); }\n    \
             /// List them.\n    int list(const mvSphere& at, Span<mvShapeId> ids) const noexcept { \
             return mvBody_List(id(), &at, ids.data(), ids.size()); }\nvoid odd() { mvBody_Odd(id()); }\n";
         // The long one breaks its line.
