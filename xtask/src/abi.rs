@@ -1,7 +1,8 @@
 //! `cargo xtask abi [--write]`: the binary interface against the one that is written down (docs/abi.md).
 //! Needs abidw and abidiff, of the package abigail-tools.
 
-use crate::{Outcome, output, root, run};
+use crate::install::{Options, build, names::Names};
+use crate::{Outcome, output, root};
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -12,18 +13,36 @@ fn baseline() -> PathBuf {
 
 /// A library with full debug information, which says what structs are made of; not optimised, to be built fast.
 fn library() -> Outcome<PathBuf> {
-    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.current_dir(root()).args(["rustc", "--quiet", "-p", "merev", "--lib", "--crate-type", "cdylib"]);
-    run(cargo.args(["--profile", "abi", "--target-dir"]).arg(root().join("target")))?;
-    Ok(root().join("target/abi/libmerev.so"))
+    let options = Options { profile: "abi".into(), ..Options::default() };
+    Ok(build(&options, &Names::new(false, env!("CARGO_PKG_VERSION")))?.join("libmerev.so"))
 }
 
 /// Writes the baseline anew.
 pub fn write() -> Outcome {
-    std::fs::create_dir_all(baseline().parent().expect("a file in a folder"))?;
     let mut abidw = Command::new("abidw");
-    abidw.args(["--no-show-locs", "--no-corpus-path", "--no-comp-dir-path", "--out-file"]).arg(baseline());
-    run(abidw.arg(library()?))
+    abidw.args(["--no-show-locs", "--no-corpus-path", "--no-comp-dir-path", "--no-elf-needed"]);
+    let text = output(abidw.arg(library()?))?;
+    std::fs::create_dir_all(baseline().parent().expect("a file in a folder"))?;
+    Ok(std::fs::write(baseline(), portable(&text))?)
+}
+
+/// Without the paths of this machine and compiler, and without the compilation units that describe nothing.
+fn portable(xml: &str) -> String {
+    let mut lines: Vec<String> = Vec::new();
+    for line in xml.lines() {
+        let tag = line.trim_start();
+        if tag == "</abi-instr>" && lines.last().is_some_and(|l| l.trim_start().starts_with("<abi-instr ")) {
+            lines.pop();
+        } else if let Some((before, rest)) =
+            line.split_once(" path='").filter(|_| tag.starts_with("<abi-instr "))
+        {
+            let after = rest.split_once('\'').map_or("", |(_, after)| after);
+            lines.push(format!("{before}{after}"));
+        } else {
+            lines.push(line.to_owned());
+        }
+    }
+    lines.join("\n") + "\n"
 }
 
 /// Fails if a program built against the baseline might not work with the library of today.
@@ -39,6 +58,29 @@ pub fn check() -> Outcome {
         Err(e) => {
             Err(format!("{e}\nThe binary interface has changed; docs/abi.md says what may change when.")
                 .into())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_and_empty_units_are_left_out() {
+        let xml = "<abi-corpus>\n  <abi-instr size='64' path='/a/b' language='C'>\n  </abi-instr>\n  \
+                   <abi-instr path='/c'>\n    <x/>\n  </abi-instr>\n</abi-corpus>\n";
+        assert_eq!(portable(xml), "<abi-corpus>\n  <abi-instr>\n    <x/>\n  </abi-instr>\n</abi-corpus>\n");
+    }
+
+    /// What is written down belongs to the header: the same functions, and no path of the machine that wrote it.
+    #[test]
+    fn the_baseline_knows_the_functions() {
+        let xml = std::fs::read_to_string(baseline()).unwrap();
+        assert!(!xml.contains(" path='") && xml.contains("name='mvBodyDef' size-in-bits="));
+        let header = std::fs::read_to_string(root().join("include/merev.h")).unwrap();
+        for name in xml.split("<elf-symbol name='").skip(1).filter_map(|piece| piece.split('\'').next()) {
+            assert!(header.contains(&format!("{name}(")), "{name} is gone from merev.h");
         }
     }
 }

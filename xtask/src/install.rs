@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 mod archive;
-mod names;
+pub mod names;
 
 use names::Names;
 
@@ -132,7 +132,7 @@ fn up(folders: usize) -> String {
 }
 
 /// Builds the libraries of one precision; each has a target folder of its own, since cargo gives both the same name.
-fn build(options: &Options, names: &Names) -> Outcome<PathBuf> {
+pub fn build(options: &Options, names: &Names) -> Outcome<PathBuf> {
     let target = root().join(if options.double() { "target/f64" } else { "target" });
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     cargo.current_dir(root()).args(["rustc", "-p", "merev", "--lib", "--crate-type", "cdylib,staticlib"]);

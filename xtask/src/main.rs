@@ -31,7 +31,7 @@ fn main() -> ExitCode {
         ["abi", "--write"] => abi::write(),
         _ => Err(format!(
             "usage: xtask header [--check]\n       xtask tables [--check]\n       xtask {}\n       \
-             xtask check-install [--profile release]\n       xtask abi [--write]",
+             xtask check-install [--profile abi]\n       xtask abi [--write]",
             install::USAGE
         )
         .into()),
