@@ -354,6 +354,8 @@ public:
     void setGravityScale(Float gravityScale) const noexcept { mvBody_SetGravityScale(id(), gravityScale); }
     /// Get the factor on gravity of a body.
     Float getGravityScale() const noexcept { return mvBody_GetGravityScale(id()); }
+    /// Get the position of a body's origin.
+    Pos getPosition() const noexcept { return mvBody_GetPosition(id()); }
     /// Get the rotation of a body.
     Quat getRotation() const noexcept { return mvBody_GetRotation(id()); }
     /// Get where a body is: the position of its origin, and its rotation.
@@ -419,15 +421,18 @@ public:
         return mvBody_GetClosestPoint(id(), result, target);
     }
     /// Cast a ray at a body as if it were somewhere.
-    mvBodyCastResult castRay(Pos origin, Vec3 translation, QueryFilter filter, Float maxFraction, WorldTransform bodyTransform) const noexcept {
+    mvBodyCastResult castRay(Pos origin, Vec3 translation, QueryFilter filter, Float maxFraction,
+            WorldTransform bodyTransform) const noexcept {
         return mvBody_CastRay(id(), origin, translation, filter, maxFraction, bodyTransform);
     }
     /// Move a solid against a body as if that were somewhere.
-    mvBodyCastResult castShape(Pos origin, const ShapeProxy& proxy, Vec3 translation, QueryFilter filter, Float maxFraction, bool canEncroach, WorldTransform bodyTransform) const noexcept {
+    mvBodyCastResult castShape(Pos origin, const ShapeProxy& proxy, Vec3 translation, QueryFilter filter,
+            Float maxFraction, bool canEncroach, WorldTransform bodyTransform) const noexcept {
         return mvBody_CastShape(id(), origin, &proxy, translation, filter, maxFraction, canEncroach, bodyTransform);
     }
     /// Does a solid touch or overlap a body as if that were somewhere?
-    bool overlapShape(Pos origin, const ShapeProxy& proxy, QueryFilter filter, WorldTransform bodyTransform) const noexcept {
+    bool overlapShape(Pos origin, const ShapeProxy& proxy, QueryFilter filter,
+            WorldTransform bodyTransform) const noexcept {
         return mvBody_OverlapShape(id(), origin, &proxy, filter, bodyTransform);
     }
 };
@@ -1326,21 +1331,51 @@ public:
     void destroy() const noexcept { mvDestroyWorld(id()); }
 
     Body createBody(const BodyDef& def) const noexcept { return mvCreateBody(id(), &def); }
-    DistanceJoint createDistanceJoint(const DistanceJointDef& def) const noexcept { return mvCreateDistanceJoint(id(), &def); }
-    FilterJoint createFilterJoint(const FilterJointDef& def) const noexcept { return mvCreateFilterJoint(id(), &def); }
-    GearJoint createGearJoint(const GearJointDef& def) const noexcept { return mvCreateGearJoint(id(), &def); }
-    MotorJoint createMotorJoint(const MotorJointDef& def) const noexcept { return mvCreateMotorJoint(id(), &def); }
-    ParallelJoint createParallelJoint(const ParallelJointDef& def) const noexcept { return mvCreateParallelJoint(id(), &def); }
-    PrismaticJoint createPrismaticJoint(const PrismaticJointDef& def) const noexcept { return mvCreatePrismaticJoint(id(), &def); }
-    PulleyJoint createPulleyJoint(const PulleyJointDef& def) const noexcept { return mvCreatePulleyJoint(id(), &def); }
-    RackPinionJoint createRackPinionJoint(const RackPinionJointDef& def) const noexcept { return mvCreateRackPinionJoint(id(), &def); }
-    RevoluteJoint createRevoluteJoint(const RevoluteJointDef& def) const noexcept { return mvCreateRevoluteJoint(id(), &def); }
-    ScrewJoint createScrewJoint(const ScrewJointDef& def) const noexcept { return mvCreateScrewJoint(id(), &def); }
-    SixDofJoint createSixDofJoint(const SixDofJointDef& def) const noexcept { return mvCreateSixDofJoint(id(), &def); }
-    SphericalJoint createSphericalJoint(const SphericalJointDef& def) const noexcept { return mvCreateSphericalJoint(id(), &def); }
-    UniversalJoint createUniversalJoint(const UniversalJointDef& def) const noexcept { return mvCreateUniversalJoint(id(), &def); }
-    WeldJoint createWeldJoint(const WeldJointDef& def) const noexcept { return mvCreateWeldJoint(id(), &def); }
-    WheelJoint createWheelJoint(const WheelJointDef& def) const noexcept { return mvCreateWheelJoint(id(), &def); }
+    DistanceJoint createDistanceJoint(const DistanceJointDef& def) const noexcept {
+        return mvCreateDistanceJoint(id(), &def);
+    }
+    FilterJoint createFilterJoint(const FilterJointDef& def) const noexcept {
+        return mvCreateFilterJoint(id(), &def);
+    }
+    GearJoint createGearJoint(const GearJointDef& def) const noexcept {
+        return mvCreateGearJoint(id(), &def);
+    }
+    MotorJoint createMotorJoint(const MotorJointDef& def) const noexcept {
+        return mvCreateMotorJoint(id(), &def);
+    }
+    ParallelJoint createParallelJoint(const ParallelJointDef& def) const noexcept {
+        return mvCreateParallelJoint(id(), &def);
+    }
+    PrismaticJoint createPrismaticJoint(const PrismaticJointDef& def) const noexcept {
+        return mvCreatePrismaticJoint(id(), &def);
+    }
+    PulleyJoint createPulleyJoint(const PulleyJointDef& def) const noexcept {
+        return mvCreatePulleyJoint(id(), &def);
+    }
+    RackPinionJoint createRackPinionJoint(const RackPinionJointDef& def) const noexcept {
+        return mvCreateRackPinionJoint(id(), &def);
+    }
+    RevoluteJoint createRevoluteJoint(const RevoluteJointDef& def) const noexcept {
+        return mvCreateRevoluteJoint(id(), &def);
+    }
+    ScrewJoint createScrewJoint(const ScrewJointDef& def) const noexcept {
+        return mvCreateScrewJoint(id(), &def);
+    }
+    SixDofJoint createSixDofJoint(const SixDofJointDef& def) const noexcept {
+        return mvCreateSixDofJoint(id(), &def);
+    }
+    SphericalJoint createSphericalJoint(const SphericalJointDef& def) const noexcept {
+        return mvCreateSphericalJoint(id(), &def);
+    }
+    UniversalJoint createUniversalJoint(const UniversalJointDef& def) const noexcept {
+        return mvCreateUniversalJoint(id(), &def);
+    }
+    WeldJoint createWeldJoint(const WeldJointDef& def) const noexcept {
+        return mvCreateWeldJoint(id(), &def);
+    }
+    WheelJoint createWheelJoint(const WheelJointDef& def) const noexcept {
+        return mvCreateWheelJoint(id(), &def);
+    }
     /// A human of bones and joints, made to fall.
     mvHuman createHuman(const HumanDef& def) const noexcept { return mvCreateHuman(id(), &def); }
 
@@ -1357,6 +1392,11 @@ public:
     Span<const JointEvent> getJointEvents() const noexcept {
         const mvJointEvents events = mvWorld_GetJointEvents(id());
         return {events.jointEvents, events.count};
+    }
+
+    /// Poses and velocities of all awake bodies at once, into arrays of that capacity or null; the number of bodies.
+    int getAwakeBodies(mvBodyId* ids, WorldTransform* transforms, Vec3* linear, Vec3* angular, int capacity) const noexcept {
+        return mvWorld_GetAwakeBodies(id(), ids, transforms, linear, angular, capacity);
     }
 
     // Queries that call back; all of them exist in an array form (...All, ...Closest) below.
@@ -1414,16 +1454,13 @@ public:
     }
     void setRestitutionCallback(std::nullptr_t) const noexcept { mvWorld_SetRestitutionCallback(id(), nullptr, nullptr); }
 
-    /// Get placement and velocities of all bodies that the next step moves.
-    int getAwakeBodies(mvBodyId* ids, WorldTransform* transforms, Vec3* linear, Span<Vec3> angular) const noexcept {
-        return mvWorld_GetAwakeBodies(id(), ids, transforms, linear, angular.data(), angular.size());
-    }
     /// Find the shapes whose boxes overlap a box, into an array.
     int overlapAABBAll(AABB aabb, QueryFilter filter, Span<mvShapeId> shapeIds) const noexcept {
         return mvWorld_OverlapAABBAll(id(), aabb, filter, shapeIds.data(), shapeIds.size());
     }
     /// Find the shapes that touch or overlap a solid, into an array.
-    int overlapShapeAll(Pos origin, const ShapeProxy& proxy, QueryFilter filter, Span<mvShapeId> shapeIds) const noexcept {
+    int overlapShapeAll(Pos origin, const ShapeProxy& proxy, QueryFilter filter,
+            Span<mvShapeId> shapeIds) const noexcept {
         return mvWorld_OverlapShapeAll(id(), origin, &proxy, filter, shapeIds.data(), shapeIds.size());
     }
     /// Cast a ray and get the nearest shape that it hits.
@@ -1435,11 +1472,13 @@ public:
         return mvWorld_CastRayAll(id(), origin, translation, filter, results.data(), results.size());
     }
     /// Move a solid without turning and get the nearest shape that it hits.
-    RayResult castShapeClosest(Pos origin, const ShapeProxy& proxy, Vec3 translation, QueryFilter filter) const noexcept {
+    RayResult castShapeClosest(Pos origin, const ShapeProxy& proxy, Vec3 translation,
+            QueryFilter filter) const noexcept {
         return mvWorld_CastShapeClosest(id(), origin, &proxy, translation, filter);
     }
     /// Move a solid without turning and get the shapes that it hits, nearest first.
-    int castShapeAll(Pos origin, const ShapeProxy& proxy, Vec3 translation, QueryFilter filter, Span<RayResult> results) const noexcept {
+    int castShapeAll(Pos origin, const ShapeProxy& proxy, Vec3 translation, QueryFilter filter,
+            Span<RayResult> results) const noexcept {
         return mvWorld_CastShapeAll(id(), origin, &proxy, translation, filter, results.data(), results.size());
     }
     /// Does this id name a world that lives? Never fails.

@@ -152,10 +152,12 @@ static void joints_of_every_kind() {
     joint(world, SixDofJointDef(), &WorldRef::createSixDofJoint, mv_sixDofJoint);
     joint(world, PulleyJointDef(), &WorldRef::createPulleyJoint, mv_pulleyJoint);
     joint(world, ScrewJointDef(), &WorldRef::createScrewJoint, mv_screwJoint);
+}
 
-    // A hinge with a motor turns at the speed that was asked for; a gear makes a second one follow.
-    BodyDef fixed;
-    const Body ground = world.createBody(fixed);
+// A hinge with a motor turns at the speed that was asked for; a gear makes a second one follow.
+static void gears_turn() {
+    World world;
+    const Body ground = world.createBody({});
     RevoluteJointDef hinge;
     hinge.base.bodyIdA = ground;
     hinge.base.bodyIdB = dynamicBox(world, {0, 0, 0});
@@ -187,6 +189,7 @@ int main() {
     queries_call_lambdas();
     callbacks_act();
     joints_of_every_kind();
+    gears_turn();
     CHECK(mvGetWorldCount() == 0);
     std::printf("world: fine\n");
     return 0;
