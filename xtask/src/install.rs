@@ -122,7 +122,12 @@ pub fn install(options: &Options) -> Outcome {
     fill("merev-config.cmake.in", "cmake/merev/merev-config.cmake".into(), &up(depth + 2))?;
     fill("merev-config-version.cmake.in", "cmake/merev/merev-config-version.cmake".into(), "")?;
     fill("merev-precision.cmake.in", format!("cmake/merev/merev-{}.cmake", names.component()), "")?;
-    println!("installed {} {} in {}", names.name, names.version, options.staged("").display());
+    println!(
+        "installed {} {} in {}",
+        names.name,
+        names.version,
+        options.staged(".").components().as_path().display()
+    );
     Ok(())
 }
 

@@ -47,7 +47,9 @@ fn main() -> ExitCode {
 
 /// The root of the repository.
 fn root() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).parent().expect("xtask is below the root").to_owned()
+    // Cargo says where it runs this from; the place it was compiled in may be another by now.
+    let own = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
+    PathBuf::from(own).parent().expect("xtask is below the root").to_owned()
 }
 
 /// Runs a command; its output is shown.
