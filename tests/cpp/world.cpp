@@ -163,7 +163,7 @@ static void gears_turn() {
     hinge.base.bodyIdB = dynamicBox(world, {0, 0, 0});
     hinge.enableMotor = true;
     hinge.motorSpeed = 2;
-    hinge.maxMotorTorque = 1000;
+    hinge.maxMotorTorque = 1000000;
     const RevoluteJoint driven = world.createRevoluteJoint(hinge);
     hinge.enableMotor = false;
     hinge.base.localFrameA.p = {5, 0, 0};
