@@ -157,6 +157,31 @@ fn a_hundred_humans_fall_asleep() {
     assert!(gap < 0.002 && angle < 0.05, "{gap} m, {angle} rad");
 }
 
+/// Islands that have joints and contacts are swept twice, others once, whoever shares their batch.
+#[test]
+fn a_far_neighbour_changes_nothing() {
+    let run = |boxes: bool, human: bool| {
+        let mut w = world(10.0);
+        floor(&mut w);
+        let humans = if human { strew(&mut w, 1, |_| vec3(0.0, 1.0, 0.0)) } else { Vec::new() };
+        let mut bodies: Vec<_> = humans.iter().flat_map(|h| h.bodies.clone()).collect();
+        for k in 0..if boxes { 4 } else { 0 } {
+            let def = BodyDef::dynamic(vec3(50.0, 0.5 + 1.2 * k as Float, 0.1 * k as Float));
+            let body = w.create_body(&def).unwrap();
+            w.create_shape(body, &ShapeDef::default(), Shape::new_box(1.0, 1.0, 1.0), Pose::IDENTITY)
+                .unwrap();
+            bodies.push(body);
+        }
+        (0..120).for_each(|_| w.try_step(DT, 4).unwrap());
+        let state = |&b| {
+            let body = w.body(b).unwrap();
+            (body.transform(), body.momentum(), body.angular_momentum())
+        };
+        bodies.iter().map(state).collect::<Vec<_>>()
+    };
+    assert_eq!(run(true, true), [run(false, true), run(true, false)].concat());
+}
+
 #[test]
 fn settings_reach_every_joint_and_nonsense_none() {
     let mut w = world(0.0);
