@@ -1,9 +1,9 @@
 """Makes python/merev/_native for use without a wheel:
 
-    python develop.py LIBRARY HEADER
+    python develop.py LIBRARY
 
-LIBRARY is a libmerev built in single precision; HEADER is header.h in cargo's target folder, which building the crate
-merev-python writes. What maturin does for a wheel is done here for a library that is there already.
+LIBRARY is a libmerev built in single precision. What maturin does for a wheel is done here for a library that is there
+already.
 """
 
 import sys
@@ -12,12 +12,15 @@ from pathlib import Path
 import cffi
 
 
-def main(library, header):
+HERE = Path(__file__).resolve().parent
+
+
+def main(library):
     library = Path(library).resolve()
-    folder = Path(__file__).resolve().parent / "python/merev/_native"
+    folder = HERE / "python/merev/_native"
     folder.mkdir(exist_ok=True)
     ffi = cffi.FFI()
-    ffi.cdef(Path(header).read_text())
+    ffi.cdef((HERE / "merev_cffi.h").read_text())
     ffi.set_source("ffi", None)
     ffi.emit_python_code(str(folder / "ffi.py"))
     (folder / "__init__.py").write_text(
@@ -26,6 +29,6 @@ def main(library, header):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
+    if len(sys.argv) != 2:
         sys.exit(__doc__)
     main(*sys.argv[1:])

@@ -1,8 +1,11 @@
-"""Writes python/merev/_generated.py from include/merev.h: enumerations, records and, for every function that takes one
-object and plain values, a property or a method with the header's words.
+"""Writes two files from include/merev.h.
 
-    python generate.py            write it
-    python generate.py --check    fail unless it is what the header gives
+merev_cffi.h: the declarations without directives, comments and inline functions, as cffi reads them.
+python/merev/_generated.py: enumerations, records and, for every function that takes one object and plain values, a
+property or a method with the header's words.
+
+    python generate.py            write them
+    python generate.py --check    fail unless they are what the header gives
 """
 
 import re
@@ -12,7 +15,8 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 HEADER = HERE / "../../include/merev.h"
-TARGET = HERE / "python/merev/_generated.py"
+CLASSES = HERE / "python/merev/_generated.py"
+DECLARATIONS = HERE / "merev_cffi.h"
 
 # C enumerations: the constants that begin with this, and what is cut off at the end.
 ENUMS = {
@@ -322,15 +326,26 @@ class Writer:
         return None
 
 
+def declarations(text):
+    """What the header declares in single precision."""
+    body = text[text.index("typedef float mvFloat;") : text.index('}  // extern "C"')]
+    body = re.sub(r"/\*.*?\*/|//[^\n]*", "", body, flags=re.S)
+    body = re.sub(r"#endif|#ifdef __cplusplus\s+extern \"C\" \{\s+#endif|\bMV_API\b", "", body)
+    body = re.sub(r'extern "C" \{|#ifdef __cplusplus', "", body)
+    lines = [line.rstrip() for line in body.splitlines()]
+    return "\n".join(line for line in lines if line) + "\n"
+
+
 def main():
-    text = Writer(Header(HEADER.read_text())).write()
-    text = text.replace("_vector_of(", "np.array(list(").replace("linearMomentum),", "linearMomentum)),")
-    text = text.replace("angularMomentum),", "angularMomentum)),")
-    if "--check" in sys.argv[1:]:
-        if not TARGET.exists() or TARGET.read_text() != text:
-            sys.exit("python/merev/_generated.py is stale: run `python bindings/python/generate.py`")
-    else:
-        TARGET.write_text(text)
+    header = HEADER.read_text()
+    classes = Writer(Header(header)).write()
+    classes = classes.replace("_vector_of(", "np.array(list(").replace("linearMomentum),", "linearMomentum)),")
+    classes = classes.replace("angularMomentum),", "angularMomentum)),")
+    for target, text in ((CLASSES, classes), (DECLARATIONS, declarations(header))):
+        if "--check" not in sys.argv[1:]:
+            target.write_text(text)
+        elif not target.exists() or target.read_text() != text:
+            sys.exit(f"{target.name} is stale: run `python bindings/python/generate.py`")
 
 
 if __name__ == "__main__":

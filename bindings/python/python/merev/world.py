@@ -14,7 +14,7 @@ from . import joint as joints
 from ._definitions import fill
 from ._library import MerevError, call, ffi, lib
 from ._values import Vector, VectorLike, _c_vector, _transform, _vector
-from ._ids import unpack
+from ._ids import copy, unpack
 from .body import Body
 from .drawing import Drawing, draw
 from .events import BodyMove, ContactEvents, ContactHit, ContactTouch, JointLoad
@@ -313,7 +313,8 @@ class World(g.WorldFunctions):
             array = ffi.new(f"{kind}[]", capacity)
             total = ask(array, capacity)
             if total <= capacity:
-                return [array[k] for k in range(total)]
+                # Copies: elements of an array do not keep it alive.
+                return [copy(kind, array[k]) for k in range(total)]
             capacity = total
 
     # ---- pictures -------------------------------------------------------------------------------------------------
