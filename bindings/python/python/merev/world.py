@@ -69,7 +69,9 @@ class World(g.WorldFunctions):
     def __del__(self) -> None:
         if lib is not None and hasattr(self, "_id") and lib.mvWorld_IsValid(self._id):
             lib.mvDestroyWorld(self._id)
-            lib.mvGetLastError()
+            # This may run between a failing call and the question why, so the code is cleared only if it is ours.
+            if lib.mvWorld_IsValid(self._id):
+                lib.mvGetLastError()
 
     def __repr__(self) -> str:
         if not self.is_valid:
