@@ -11,9 +11,11 @@ fn main() {
         .unwrap_or_else(|e| panic!("{} to {}: {e}", source.display(), target.display()));
 }
 
-/// The folder that cargo marked as its own, above OUT_DIR.
+/// OUT_DIR is target/\[triple/\]profile/build/package/out.
 fn target_dir() -> PathBuf {
-    let out = PathBuf::from(std::env::var("OUT_DIR").expect("cargo sets OUT_DIR"));
-    let marked = out.ancestors().find(|d| d.join("CACHEDIR.TAG").exists());
-    marked.expect("OUT_DIR is in a target folder").to_owned()
+    let variable = |name| std::env::var(name).unwrap_or_else(|_| panic!("cargo sets {name}"));
+    let out = PathBuf::from(variable("OUT_DIR"));
+    let above = out.ancestors().nth(4).expect("OUT_DIR is in a target folder");
+    let triple = above.file_name().is_some_and(|name| name == variable("TARGET").as_str());
+    if triple { above.parent().expect("a triple is in a target folder") } else { above }.to_owned()
 }

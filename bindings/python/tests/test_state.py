@@ -1,5 +1,8 @@
 """Many bodies and many worlds at once; queries and events."""
 
+import threading
+import time
+
 import numpy as np
 import pytest
 
@@ -68,6 +71,29 @@ def test_stepping_many_worlds_is_stepping_each():
             world.step(1 / 60, 4)
     assert [w.state_hash for w in together] == [w.state_hash for w in alone]
     assert len({w.state_hash for w in alone}) == 16, "the hash tells worlds apart"
+
+
+def test_the_interpreter_is_free_while_a_world_steps():
+    world = pile(0, 60)
+    ticks, done = [], threading.Event()
+
+    def tick():
+        while not done.is_set():
+            ticks.append(time.perf_counter())
+            time.sleep(0.001)
+
+    other = threading.Thread(target=tick, daemon=True)
+    other.start()
+    inside = 0
+    for _ in range(10):
+        begin = time.perf_counter()
+        world.step(1 / 60, sub_steps=1000)
+        end = time.perf_counter()
+        inside += sum(begin < t < end for t in ticks)
+    done.set()
+    other.join()
+    # A held interpreter would let none through; a call takes some 50 ms.
+    assert inside >= 20, inside
 
 
 def test_one_bad_world_does_not_stop_the_others():
