@@ -74,7 +74,7 @@ def test_stepping_many_worlds_is_stepping_each():
 
 
 def test_the_interpreter_is_free_while_a_world_steps():
-    world = pile(0, 60)
+    world = pile(0, 200)
     ticks, done = [], threading.Event()
 
     def tick():
@@ -84,16 +84,16 @@ def test_the_interpreter_is_free_while_a_world_steps():
 
     other = threading.Thread(target=tick, daemon=True)
     other.start()
-    inside = 0
-    for _ in range(10):
+    calls = []
+    while sum(end - begin for begin, end in calls) < 0.5:
         begin = time.perf_counter()
         world.step(1 / 60, sub_steps=1000)
-        end = time.perf_counter()
-        inside += sum(begin < t < end for t in ticks)
+        calls.append((begin, time.perf_counter()))
     done.set()
     other.join()
-    # A held interpreter would let none through; a call takes some 50 ms.
-    assert inside >= 20, inside
+    # A held interpreter would let through none but one now and then at the edge of a call.
+    inside = sum(any(begin < t < end for begin, end in calls) for t in ticks)
+    assert inside > 50, (inside, len(calls))
 
 
 def test_one_bad_world_does_not_stop_the_others():
