@@ -1,5 +1,8 @@
 use super::*;
-use crate::constraint::joint::{DistanceJoint, JointKind};
+use crate::constraint::joint::{
+    DistanceJoint, JointKind, Limit, PrismaticJoint, RevoluteJoint, SphericalJoint, UniversalJoint,
+    WeldJoint, WheelJoint,
+};
 use crate::shape::Shape;
 use crate::world::{BodyDef, BodyId, BodyType, JointDef, ShapeDef, WorldDef};
 
@@ -191,6 +194,72 @@ fn joints_are_lines_between_bodies_and_frames() {
     assert_eq!(drawing.points.len(), 2);
     let extras = DrawOptions { joint_extras: true, ..options };
     assert_eq!(drawn(&w, &extras, false).lines.len(), 3 + 6);
+}
+
+/// What is drawn between a static body at the origin and one at `at`, in the colour asked for.
+fn joint_lines(kind: JointKind, at: Pose, color: Color) -> Vec<[Vec3; 2]> {
+    let mut w = world();
+    let a = body(&mut w, BodyType::Static, Vec3::zeros(), Shape::new_sphere(0.2));
+    let b = body(&mut w, BodyType::Dynamic, at.p, Shape::new_sphere(0.2));
+    w.body_mut(b).unwrap().set_transform(&at).unwrap();
+    w.create_joint(&JointDef::new(kind, a, b)).unwrap();
+    let options =
+        DrawOptions { joints: true, joint_extras: true, joint_scale: 4.0, ..DrawOptions::nothing() };
+    let lines = drawn(&w, &options, false).lines;
+    lines.iter().filter(|l| l.color == color).map(|l| l.points).collect()
+}
+
+#[test]
+fn limits_are_drawn_where_they_stop() {
+    let limit = Limit { enable: true, lower: 0.25, upper: 1.25 };
+    let mut hinge = RevoluteJoint::default();
+    hinge.drive.limit = limit;
+    let lines = joint_lines(JointKind::Revolute(hinge), Pose::IDENTITY, colors::LIMIT);
+    // With a scale of 4 the arc has a radius of 1 m; the last two lines lead to its ends.
+    let ends: Vec<Vec3> = lines[lines.len() - 2..].iter().map(|l| l[1]).collect();
+    for (end, angle) in ends.iter().zip([0.25, 1.25]) {
+        assert!(crate::math::length(end - vec3(Float::cos(angle), Float::sin(angle), 0.0)) < 1e-5, "{end}");
+    }
+    assert_eq!(lines[0][0], ends[0]);
+    assert!(crate::math::length(lines[lines.len() - 3][1] - ends[1]) < 1e-5);
+
+    let mut slide = PrismaticJoint::default();
+    slide.drive.limit = limit;
+    let lines = joint_lines(JointKind::Prismatic(slide), Pose::IDENTITY, colors::LIMIT);
+    assert_eq!(lines, [[vec3(0.25, 0.0, 0.0), vec3(1.25, 0.0, 0.0)]]);
+}
+
+#[test]
+fn the_cone_is_where_the_swing_ends() {
+    let joint =
+        SphericalJoint { enable_cone_limit: true, cone_angle: [0.8, 0.3], ..SphericalJoint::default() };
+    let lines = joint_lines(JointKind::Spherical(joint), Pose::IDENTITY, colors::LIMIT);
+    assert_eq!(lines.len(), 16 + 4);
+    // A swing about x by as much as the cone lets takes z to a point of the rim; likewise about y.
+    for (axis, angle) in [(Vec3::x(), 0.8), (Vec3::y(), 0.3)] {
+        let tip = crate::math::rotate(&crate::math::quat_about(axis, angle), Vec3::z());
+        let nearest = lines.iter().map(|l| crate::math::length(l[1] - tip)).fold(Float::MAX, Float::min);
+        assert!(nearest < 1e-5, "{nearest}");
+    }
+}
+
+#[test]
+fn axes_are_those_of_what_is_free() {
+    let turned = Pose::new(vec3(0.0, 0.0, 0.0), crate::math::quat_about(Vec3::y(), 1.0));
+    for (kind, axes) in [
+        (JointKind::Revolute(RevoluteJoint::default()), vec![Vec3::z()]),
+        (JointKind::Prismatic(PrismaticJoint::default()), vec![Vec3::x()]),
+        (JointKind::Universal(UniversalJoint::default()), vec![Vec3::x(), Vec3::y()]),
+        (JointKind::Weld(WeldJoint::default()), vec![]),
+    ] {
+        let lines = joint_lines(kind, turned, colors::AXIS);
+        assert_eq!(lines, axes.iter().map(|&u| [-u, u]).collect::<Vec<_>>());
+    }
+    // A wheel spins about z of its own frame.
+    let lines = joint_lines(JointKind::Wheel(WheelJoint::default()), turned, colors::AXIS);
+    let spin = turned.vector(Vec3::z());
+    assert_eq!(lines.len(), 2);
+    assert!(crate::math::length(lines[1][1] - spin) < 1e-5);
 }
 
 #[test]
