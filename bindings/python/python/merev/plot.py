@@ -63,7 +63,9 @@ def scene(
         large = extent > 8 * np.median(extent)
         seen = normals @ toward > 0
         if (large & seen).any():
-            floor = Poly3DCollection(triangles[large & seen], facecolors=faces[large & seen])
+            floor = Poly3DCollection(
+                triangles[large & seen], facecolors=faces[large & seen], edgecolors=faces[large & seen], linewidths=0.8
+            )
             floor.set_zorder(0)
             ax.add_collection3d(floor)
         # Edges go with the faces, a little nearer, so that those behind are hidden.
