@@ -14,7 +14,7 @@ BINDINGS = Path(__file__).resolve().parent.parent.parent
 SCENE = BINDINGS / "same_hash/same_hash.c"
 
 
-@pytest.mark.skipif(not SCENE.exists() or shutil.which("cc") is None, reason="needs same_hash.c and a C compiler")
+@pytest.mark.skipif(shutil.which("cc") is None, reason="needs a C compiler")
 def test_the_hash_is_that_of_the_c_program(tmp_path):
     # The very library that this package has loaded: cffi names it.
     library = Path(re.search(r"'(.+)'", repr(lib))[1])
