@@ -1,10 +1,12 @@
-//! Chores of the repository: `cargo xtask header [--check]`, `cargo xtask tables [--check]`.
+//! Chores of the repository: `cargo xtask header [--check]`, `cargo xtask tables [--check]`,
+//! `cargo xtask migration [--check]`.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 mod csv;
 mod header;
+mod migration;
 mod tables;
 
 fn main() -> ExitCode {
@@ -13,9 +15,11 @@ fn main() -> ExitCode {
     let done = match args[..] {
         ["header"] => header::write(),
         ["header", "--check"] => header::check(),
+        ["migration"] => migration::write(),
+        ["migration", "--check"] => migration::check(),
         ["tables"] => tables::write(),
         ["tables", "--check"] => tables::check(),
-        _ => Err("usage: xtask header [--check] | tables [--check]".into()),
+        _ => Err("usage: xtask header [--check] | migration [--check] | tables [--check]".into()),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
