@@ -24,6 +24,7 @@ mod boxes;
 mod brute_force;
 mod bvh;
 mod dynamic_bvh;
+mod dynamic_rtree;
 mod node;
 mod omt;
 mod pair_set;
@@ -94,9 +95,6 @@ pub enum BroadPhaseKind {
     DynamicRTree = 16,
 }
 
-/// How the trees of [`BroadPhaseKind::DynamicRTree`] are kept.
-type Patched = node::Repacked<rtree::Quadratic, omt::Cuts>;
-
 impl BroadPhaseKind {
     /// Every variant that can be built, [`BroadPhaseKind::Auto`] apart.
     #[rustfmt::skip]
@@ -163,7 +161,7 @@ impl BroadPhaseKind {
             BroadPhaseKind::StrSplit => Box::new(Split::<node::Packed<str_packing::Tiles>>::default()),
             BroadPhaseKind::OmtSplit => Box::new(Split::<node::Packed<omt::Cuts>>::default()),
             BroadPhaseKind::Auto | BroadPhaseKind::DynamicRTree => {
-                Box::new(Split::<node::Grown<Patched>>::default())
+                Box::new(dynamic_rtree::DynamicRTree::default())
             }
         }
     }

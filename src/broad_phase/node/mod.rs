@@ -100,17 +100,20 @@ impl Node {
 
     /// The least box around the children.
     fn tight_bounds(&self) -> Aabb {
+        // Not `Float::min`: there is no NaN to care for, and without that care a comparison is one instruction.
+        let least = |a: Float, b: Float| if a < b { a } else { b };
+        let most = |a: Float, b: Float| if a > b { a } else { b };
         let mut all = Aabb::EMPTY;
         for k in 0..3 {
             let (mut lower, mut upper) = (self.lower[k][0], self.upper[k][0]);
             for q in 1..QUADS {
                 for i in 0..4 {
-                    lower[i] = lower[i].min(self.lower[k][q][i]);
-                    upper[i] = upper[i].max(self.upper[k][q][i]);
+                    lower[i] = least(lower[i], self.lower[k][q][i]);
+                    upper[i] = most(upper[i], self.upper[k][q][i]);
                 }
             }
-            all.lower[k] = lower[0].min(lower[1]).min(lower[2].min(lower[3]));
-            all.upper[k] = upper[0].max(upper[1]).max(upper[2].max(upper[3]));
+            all.lower[k] = least(least(lower[0], lower[1]), least(lower[2], lower[3]));
+            all.upper[k] = most(most(upper[0], upper[1]), most(upper[2], upper[3]));
         }
         all
     }

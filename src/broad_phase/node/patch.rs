@@ -76,10 +76,16 @@ pub(in super::super) struct Grown<G> {
     proxies: Vec<u32>,
     aabbs: Vec<Aabb>,
     items: Vec<Item>,
+    /// How many nodes more a box may leave before it is inserted again.
+    leeway: u32,
     growth: std::marker::PhantomData<G>,
 }
 
 impl<G: Growth> Grown<G> {
+    pub fn with_leeway(leeway: u32) -> Self {
+        Self { leeway, ..Self::default() }
+    }
+
     fn set_child(&mut self, at: u32, entry: &Entry) {
         let node = self.nodes.node_mut(at);
         let (level, slot) = (node.level, node.len);
@@ -318,12 +324,16 @@ impl<G: Growth> Grown<G> {
     }
 
     /// Whether a box may take the place of the one in node `at`. Where a worn tree is packed again it may leave its
-    /// node, which then grows, but not the node above.
+    /// node, which then grows, but not the node above, or one higher still.
     fn stays(&self, at: u32, aabb: &Aabb) -> bool {
-        let node = self.nodes.node(at);
-        node.parent == NONE
-            || node.bounds.contains(aabb)
-            || (G::PACK.is_some() && self.nodes.node(node.parent).bounds.contains(aabb))
+        let mut node = self.nodes.node(at);
+        for _ in 0..self.leeway + u32::from(G::PACK.is_some()) {
+            if node.parent == NONE || node.bounds.contains(aabb) {
+                return true;
+            }
+            node = self.nodes.node(node.parent);
+        }
+        node.parent == NONE || node.bounds.contains(aabb)
     }
 
     /// Replaces a box where it is; what is above grows to hold it, and is made tight by the next refresh.
