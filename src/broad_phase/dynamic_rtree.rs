@@ -7,7 +7,7 @@
 //!
 //! Who goes over depends only on the calls made so far, and only so many do in a step that it costs little.
 
-use super::node::{Grown, Repacked};
+use super::node::{Batch, Grown, Repacked};
 use super::omt::Cuts;
 use super::rtree::Quadratic;
 use super::slab::Sweep;
@@ -24,18 +24,15 @@ const LIVELY: usize = 2;
 const TREES: usize = 3;
 
 /// A proxy becomes lively once it was updated this many times, each time at most [`NEAR`] steps after the last.
-const STREAK: u8 = 3;
+const STREAK: u8 = 4;
 const NEAR: u32 = 2;
 
 /// A proxy is calm again after this many steps without an update.
-const IDLE: u32 = 16;
+const IDLE: u32 = 8;
 
 /// How many may become lively in a step: so many, and one for so many that are.
 const ROOM: usize = 256;
 const ROOM_SHARE: usize = 4;
-
-/// A box of the lively tree may leave its leaf by this many levels before it is inserted again.
-const LEEWAY: u32 = 2;
 
 /// What is known of a proxy in use.
 #[derive(Clone, Copy, Debug, Default)]
@@ -49,7 +46,7 @@ struct Life {
     tree: u8,
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct DynamicRTree {
     trees: [Tree; TREES],
     marks: Marks,
@@ -60,25 +57,10 @@ pub(super) struct DynamicRTree {
     next: usize,
     /// Counts calls of `find_pairs`; may wrap, which can only make a proxy calm too late or lively too soon.
     step: u32,
-    /// How many may still become lively in this step.
-    room: usize,
-    /// Scratch: who moved, after where they stand.
-    order: Vec<[u32; 2]>,
-}
-
-impl Default for DynamicRTree {
-    fn default() -> Self {
-        Self {
-            trees: [Tree::default(), Tree::default(), Tree::with_leeway(LEEWAY)],
-            marks: Marks::default(),
-            lives: Vec::new(),
-            lively: Vec::new(),
-            next: 0,
-            step: 0,
-            room: ROOM,
-            order: Vec::new(),
-        }
-    }
+    /// How many became lively in this step.
+    roused: usize,
+    /// Scratch: who moved, in one tree.
+    batch: Batch,
 }
 
 impl DynamicRTree {
@@ -116,8 +98,8 @@ impl DynamicRTree {
         if gap > 0 {
             life.streak = if gap <= NEAR { life.streak.saturating_add(1) } else { 0 };
         }
-        let roused = life.streak >= STREAK && self.room > 0;
-        self.room -= usize::from(roused);
+        let roused = life.streak >= STREAK && self.roused < ROOM + self.lively.len() / ROOM_SHARE;
+        self.roused += usize::from(roused);
         roused
     }
 
@@ -139,14 +121,18 @@ impl DynamicRTree {
         }
     }
 
-    /// Whether the pairs between two trees are found by one walk of both.
-    fn joins(&self, moved: &[u32]) -> [[bool; TREES]; TREES] {
-        let mut counts = [0; TREES];
-        moved.iter().for_each(|&proxy| counts[self.lives[proxy as usize].tree as usize] += 1);
-        let walk = |tree: usize| (counts[tree] + counts[STILL]) * Tree::JOIN_SHARE > self.trees[tree].len();
-        let (calm, lively) = (walk(CALM), walk(LIVELY));
-        // Two that stand make no pair.
-        [[true, calm, lively], [calm, calm, calm || lively], [lively, calm || lively, lively]]
+    /// For which two trees all pairs are found by one walk of both: where a good part of what can meet moved. Two that
+    /// stand make no pair.
+    fn joins(&self, counts: &[usize; TREES]) -> [[bool; TREES]; TREES] {
+        let mut joins = [[false; TREES]; TREES];
+        for a in 0..TREES {
+            for b in 0..TREES {
+                let moved = if a == b { counts[a] } else { counts[a] + counts[b] };
+                let least = self.trees[a].len().min(self.trees[b].len());
+                joins[a][b] = (a, b) != (STILL, STILL) && moved * Tree::JOIN_SHARE > least;
+            }
+        }
+        joins
     }
 }
 
@@ -187,10 +173,12 @@ impl BroadPhase for DynamicRTree {
         out.clear();
         self.settle();
         self.step = self.step.wrapping_add(1);
-        self.room = ROOM + self.lively.len() / ROOM_SHARE;
+        self.roused = 0;
         self.trees.iter_mut().for_each(Tree::refresh);
-        let joins = self.joins(moved);
-        let Self { trees, marks, lives, order, .. } = self;
+        let mut counts = [0; TREES];
+        moved.iter().for_each(|&proxy| counts[self.lives[proxy as usize].tree as usize] += 1);
+        let joins = self.joins(&counts);
+        let Self { trees, marks, lives, batch, .. } = self;
         marks.mark(moved);
         for a in CALM..TREES {
             for b in (0..=a).filter(|&b| joins[a][b]) {
@@ -207,22 +195,21 @@ impl BroadPhase for DynamicRTree {
                 }
             }
         }
-        for home in (0..TREES).filter(|&home| joins[home] != [true; TREES]) {
-            order.clear();
-            let at_home = moved.iter().filter(|&&proxy| lives[proxy as usize].tree as usize == home);
-            order.extend(at_home.map(|&proxy| [trees[home].place_of(proxy), proxy]));
-            order.sort_unstable();
-            for &[_, proxy] in &*order {
-                let aabb = trees[home].aabb(proxy);
-                for other in (0..TREES).filter(|&other| !joins[home][other]) {
-                    trees[other].query(&aabb, &mut |met| {
-                        if marks.accept_met(proxy, met) && met != proxy {
-                            out.push(ordered(proxy, met));
-                        }
-                        true
-                    });
-                }
+        for home in 0..TREES {
+            let others = (0..TREES).filter(|&other| !joins[home][other] && (home, other) != (STILL, STILL));
+            if counts[home] == 0 || others.clone().next().is_none() {
+                continue;
             }
+            let at_home = moved.iter().filter(|&&proxy| lives[proxy as usize].tree as usize == home);
+            at_home.for_each(|&proxy| trees[home].pick(proxy));
+            trees[home].hand_over(batch);
+            others.for_each(|other| {
+                trees[other].meet(batch, &mut |proxy, met| {
+                    if marks.accept_met(proxy, met) && met != proxy {
+                        out.push(ordered(proxy, met));
+                    }
+                });
+            });
         }
         marks.unmark(moved);
         sort_pairs(out);
@@ -274,7 +261,7 @@ impl BroadPhase for DynamicRTree {
             + self.marks.byte_count()
             + self.lives.capacity() * size_of::<Life>()
             + self.lively.capacity() * size_of::<u32>()
-            + self.order.capacity() * size_of::<[u32; 2]>()
+            + self.batch.byte_count()
     }
 
     fn clone_box(&self) -> Box<dyn BroadPhase> {

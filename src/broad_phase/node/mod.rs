@@ -4,11 +4,13 @@
 //! It keeps the boxes of its *children*, in columns: four are tested at a time, and a child is opened only once its
 //! box was hit.
 
+mod batch;
 mod join;
 mod pack;
 mod patch;
 mod walk;
 
+pub(super) use batch::Batch;
 pub(super) use pack::{Builder, Item, Packed, Packing, cut, top_level};
 pub(super) use patch::{Entry, Grown, Growth, LEAST, Repacked};
 
@@ -40,6 +42,8 @@ pub(super) struct Node {
     bounds: Aabb,
     /// A box of a child was replaced since the last refresh.
     stale: bool,
+    /// Children that are picked or have something picked below them, a bit each; none but within a `find_pairs`.
+    picked: u32,
 }
 
 impl Node {
@@ -54,6 +58,7 @@ impl Node {
             slot: 0,
             bounds: Aabb::EMPTY,
             stale: false,
+            picked: 0,
         }
     }
 
