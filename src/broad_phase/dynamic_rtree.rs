@@ -57,8 +57,8 @@ pub(super) struct DynamicRTree {
     next: usize,
     /// Counts calls of `find_pairs`; may wrap, which can only make a proxy calm too late or lively too soon.
     step: u32,
-    /// How many became lively in this step.
-    roused: usize,
+    /// How many may still become lively in this step.
+    room: usize,
     /// Scratch: who moved, in one tree.
     batch: Batch,
 }
@@ -98,15 +98,16 @@ impl DynamicRTree {
         if gap > 0 {
             life.streak = if gap <= NEAR { life.streak.saturating_add(1) } else { 0 };
         }
-        let roused = life.streak >= STREAK && self.roused < ROOM + self.lively.len() / ROOM_SHARE;
-        self.roused += usize::from(roused);
+        let roused = life.streak >= STREAK && self.room > 0;
+        self.room -= usize::from(roused);
         roused
     }
 
-    /// Makes some of those calm that have been idle; each of the lively comes up once in [`IDLE`] steps.
+    /// Makes some of those calm that have been idle; one in [`IDLE`] of the lively is looked at, in turn.
     fn settle(&mut self) {
         for _ in 0..self.lively.len().div_ceil(IDLE as usize) {
             // From the end, so that who fills a gap was looked at.
+            self.next = self.next.min(self.lively.len());
             if self.next == 0 {
                 self.next = self.lively.len();
             }
@@ -117,7 +118,6 @@ impl DynamicRTree {
                 self.take(proxy);
                 self.put(proxy, &aabb, CALM);
             }
-            self.next = self.next.min(self.lively.len());
         }
     }
 
@@ -173,7 +173,7 @@ impl BroadPhase for DynamicRTree {
         out.clear();
         self.settle();
         self.step = self.step.wrapping_add(1);
-        self.roused = 0;
+        self.room = ROOM + self.lively.len() / ROOM_SHARE;
         self.trees.iter_mut().for_each(Tree::refresh);
         let mut counts = [0; TREES];
         moved.iter().for_each(|&proxy| counts[self.lives[proxy as usize].tree as usize] += 1);
@@ -266,5 +266,134 @@ impl BroadPhase for DynamicRTree {
 
     fn clone_box(&self) -> Box<dyn BroadPhase> {
         Box::new(self.clone())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::BruteForce;
+    use super::super::random::Random;
+    use super::*;
+    use crate::math::vec3;
+
+    impl DynamicRTree {
+        /// How many are in each tree; all that is kept beside the trees is checked.
+        fn census(&self) -> [usize; TREES] {
+            self.trees.iter().for_each(Tree::validate);
+            assert_eq!(self.lively.len(), self.trees[LIVELY].len());
+            for (place, &proxy) in self.lively.iter().enumerate() {
+                let life = self.lives[proxy as usize];
+                assert_eq!((life.tree as usize, life.place as usize), (LIVELY, place));
+            }
+            self.trees.each_ref().map(Tree::len)
+        }
+    }
+
+    /// A tree beside the oracle.
+    struct Both {
+        tree: DynamicRTree,
+        oracle: BruteForce,
+        boxes: Vec<Aabb>,
+        random: Random,
+    }
+
+    impl Both {
+        /// Every fourth stands.
+        fn new(count: u32) -> Self {
+            let (mut tree, mut oracle, mut random) =
+                (DynamicRTree::default(), BruteForce::new(), Random::new(3));
+            let side = crate::math::scalar::cbrt(8.0 * count as Float);
+            let half = vec3(0.5, 0.5, 0.5);
+            let boxes: Vec<_> = (0..count).map(|_| Aabb::around(random.vec() * (0.5 * side), half)).collect();
+            for (i, b) in (0..).zip(&boxes) {
+                let layer = if i % 4 == 0 { Layer::Static } else { Layer::Moving };
+                tree.insert(i, b, layer);
+                oracle.insert(i, b, layer);
+            }
+            Self { tree, oracle, boxes, random }
+        }
+
+        fn step(&mut self, moved: &[u32]) -> [usize; TREES] {
+            for &i in moved {
+                let (b, d) = (&mut self.boxes[i as usize], self.random.vec() * 0.5);
+                *b = Aabb { lower: b.lower + d, upper: b.upper + d };
+                self.tree.update(i, b);
+                self.oracle.update(i, b);
+            }
+            let (mut found, mut expected) = (vec![[7, 7]], Vec::new());
+            self.tree.find_pairs(moved, &mut found);
+            self.oracle.find_pairs(moved, &mut expected);
+            assert_eq!(found, expected);
+            self.tree.census()
+        }
+    }
+
+    #[test]
+    fn what_moves_again_and_again_becomes_lively_and_calms_down() {
+        let mut both = Both::new(1200);
+        let movers: Vec<u32> = (0..1200).filter(|i| i % 4 == 1).collect();
+        let everything: Vec<u32> = (0..1200).collect();
+        assert_eq!(both.step(&everything), [300, 900, 0]);
+        // As many as there is room for: 256 in the first step, the rest in the next.
+        let counts: Vec<_> = (0..7).map(|_| both.step(&movers)[LIVELY]).collect();
+        assert_eq!(counts, [0, 0, 0, 256, 300, 300, 300]);
+        // Every other step is often enough, every third is not.
+        let by_turns: Vec<_> = (0..36)
+            .map(|k| {
+                let lately: Vec<_> = (0..1200).filter(|i| i % 4 == 1 && i / 4 % 2 == k % 2).collect();
+                let seldom = (0..1200).filter(|i| i % 4 == 2 && i / 4 % 3 == k % 3);
+                let mut moved: Vec<_> = seldom.chain(lately).collect();
+                moved.sort_unstable();
+                both.step(&moved)
+            })
+            .collect();
+        assert!(by_turns.iter().all(|counts| *counts == [300, 600, 300]), "{by_turns:?}");
+        // Left alone they go back, some in each step.
+        let counts: Vec<_> = (0..6 * IDLE).map(|_| both.step(&[4])[LIVELY]).collect();
+        assert!(
+            counts.is_sorted_by(|a, b| a >= b) && counts.windows(2).all(|w| w[0] - w[1] <= 38),
+            "{counts:?}"
+        );
+        assert_eq!((counts[0], counts[counts.len() - 1]), (300, 0));
+    }
+
+    #[test]
+    fn now_and_then_is_no_reason_to_become_lively() {
+        let mut both = Both::new(2000);
+        let mut random = Random::new(8);
+        for _ in 0..60 {
+            let moved: Vec<_> = (0..2000).filter(|_| random.below(10) == 0).collect();
+            assert!(both.step(&moved)[LIVELY] < 40);
+        }
+    }
+
+    #[test]
+    fn the_lively_may_go_change_layer_or_all_but_stop() {
+        let mut both = Both::new(800);
+        let movers: Vec<u32> = (0..800).filter(|i| i % 4 == 1).collect();
+        (0..6).for_each(|_| assert!(both.step(&movers)[LIVELY] <= 200));
+        for &i in movers.iter().step_by(5) {
+            both.tree.remove(i);
+            both.oracle.remove(i);
+        }
+        for &i in movers.iter().skip(1).step_by(5) {
+            both.tree.set_layer(i, Layer::Static);
+            both.oracle.set_layer(i, Layer::Static);
+        }
+        let left: Vec<u32> =
+            movers.iter().copied().enumerate().filter(|k| k.0 % 5 > 1).map(|k| k.1).collect();
+        both.tree = both.tree.clone();
+        assert_eq!(both.step(&left), [240, 400, 120]);
+        // Few of each tree: asked for one by one.
+        assert_eq!(both.step(&[4, 6, left[7]]), [240, 400, 120]);
+        assert_eq!(both.step(&[]), [240, 400, 120]);
+        // From one end of the world to the other.
+        for &i in &left {
+            let b = both.boxes[i as usize];
+            let d = vec3(if i % 2 == 0 { 500.0 } else { -500.0 }, 0.0, 0.0);
+            both.boxes[i as usize] = Aabb { lower: b.lower + d, upper: b.upper + d };
+        }
+        both.step(&left);
+        assert_eq!(both.tree.bounds(), both.oracle.bounds());
     }
 }

@@ -103,3 +103,56 @@ impl Nodes {
         bits(picked).for_each(|slot| self.hand_over_below(children[slot], batch));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::omt::Cuts;
+    use super::super::super::random::Random;
+    use super::super::super::rtree::Quadratic;
+    use super::super::super::structure::Structure;
+    use super::super::{Grown, Repacked};
+    use super::*;
+    use crate::math::{Aabb, Vec3, vec3};
+
+    #[test]
+    fn a_batch_asks_what_its_boxes_would_ask() {
+        let (mut tree, mut random) = (Grown::<Repacked<Quadratic, Cuts>>::default(), Random::new(4));
+        let boxes: Vec<_> =
+            (0..3000).map(|_| Aabb::around(random.vec() * 14.0, vec3(0.5, 0.5, 0.5))).collect();
+        (0..).zip(&boxes).for_each(|(i, b)| tree.insert(i, b));
+        let mut batch = Batch::default();
+        tree.hand_over(&mut batch);
+        assert_eq!((batch.len(), batch.nodes.root), (0, None));
+        tree.meet(&batch, &mut |_, _| panic!("nobody asks"));
+        // One by one, together, all.
+        for count in [1, 16, 17, 40, 300, 3000] {
+            let picked: Vec<u32> = (0..count).map(|k| k * (3000 / count)).collect();
+            picked.iter().for_each(|&i| tree.pick(i));
+            tree.hand_over(&mut batch);
+            assert_eq!(batch.nodes.validate(false, true), count as usize);
+            let (mut found, mut expected) = (Vec::new(), Vec::new());
+            tree.meet(&batch, &mut |a, b| found.push([a, b]));
+            for &i in &picked {
+                tree.query(&boxes[i as usize], &mut |met| {
+                    expected.push([i, met]);
+                    true
+                });
+            }
+            found.sort_unstable();
+            expected.sort_unstable();
+            assert!(found.len() >= count as usize && found == expected);
+            // What was handed over is picked no more.
+            tree.hand_over(&mut batch);
+            assert_eq!(batch.len(), 0);
+        }
+        // Another tree, far away but for one.
+        let mut other = Grown::default();
+        other.insert(9, &Aabb::around(boxes[5].lower, Vec3::zeros()));
+        other.insert(8, &Aabb::around(vec3(99.0, 0.0, 0.0), Vec3::zeros()));
+        tree.pick(5);
+        tree.hand_over(&mut batch);
+        let mut found = Vec::new();
+        (other as Grown<Repacked<Quadratic, Cuts>>).meet(&batch, &mut |a, b| found.push([a, b]));
+        assert_eq!(found, [[5, 9]]);
+    }
+}

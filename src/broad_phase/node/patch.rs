@@ -373,6 +373,7 @@ impl<G: Growth> Grown<G> {
 
     #[cfg(test)]
     pub fn validate(&self) {
+        assert!(self.nodes.nodes.iter().all(|node| node.picked == 0));
         assert_eq!(self.nodes.validate(true, self.stale.is_empty()), self.len);
         assert_eq!(self.places.iter().filter(|&&p| p != ABSENT).count(), self.len);
     }
