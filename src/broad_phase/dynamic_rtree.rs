@@ -15,7 +15,7 @@ use super::structure::{Marks, Structure, ordered, sort_pairs};
 use super::{BroadPhase, BroadPhaseStats, Layer};
 use crate::math::{Aabb, Float, Vec3};
 
-pub(super) type Tree = Grown<Repacked<Quadratic, Cuts>>;
+type Tree = Grown<Repacked<Quadratic, Cuts>>;
 
 /// The trees, by number: what cannot move, what can but seldom does, what moves most of the time.
 const STILL: usize = 0;
