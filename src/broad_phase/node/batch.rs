@@ -11,7 +11,8 @@ pub(in super::super) struct Batch {
 }
 
 impl Batch {
-    pub fn len(&self) -> usize {
+    #[cfg(test)]
+    fn len(&self) -> usize {
         self.len
     }
 
