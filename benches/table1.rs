@@ -1,12 +1,14 @@
-//! The seed's table of broad phases, measured: `cargo bench --bench table1 -- [--quick] [--out FILE]`.
+//! The seed's table of broad phases, measured:
+//! `cargo bench --bench table1 -- [--quick] [--only moving] [--kinds NAME,NAME…] [--out FILE]`.
 //!
 //! Table 1: N unit boxes strewn evenly over a cube of side (8 N)^(1/3), so that each meets one other on average. Timed
 //! is one cycle as the seed has it: an empty structure takes in all boxes one by one, and all pairs are found, sorted.
 //! Not timed is that the structure is given back. In the columns `half` every second box is immovable (the seed puts
 //! the elements into two structures and checks half of them), in the columns `all` every box can move.
 //!
-//! The moving scene: the same boxes; a tenth takes a random step of up to half a box along each axis and all pairs of
-//! these are found, again and again. Timed is the update of the tenth and `find_pairs`.
+//! The moving scenes: the same boxes; a tenth takes a random step of up to half a box along each axis and all pairs of
+//! these are found, again and again. Timed is the update of the tenth and `find_pairs`. The rest is immovable in the
+//! first scene and can move, but does not, in the second. In the third it is another tenth each time.
 
 use merev::broad_phase::{BroadPhaseKind, Layer};
 use merev::{Aabb, Float, Vec3, math::scalar, math::vec3};
@@ -51,6 +53,9 @@ const PUBLISHED: [(&str, BroadPhaseKind, [f64; 5]); 7] = [
 
 /// A cell that is predicted to take longer is skipped.
 const LIMIT: f64 = 60.0;
+
+/// The same for a step of a moving scene.
+const STEP_LIMIT: f64 = 2.0;
 
 struct Options {
     /// The time after which no further run of a cell is begun.
@@ -116,9 +121,9 @@ fn predicted(times: &[f64]) -> f64 {
     }
 }
 
-fn table(options: &Options) -> Vec<(BroadPhaseKind, [Vec<f64>; 2])> {
+fn table(options: &Options, kinds: &[BroadPhaseKind]) -> Vec<(BroadPhaseKind, [Vec<f64>; 2])> {
     let mut rows = Vec::new();
-    for kind in BroadPhaseKind::ALL {
+    for &kind in kinds {
         let mut columns = [Vec::new(), Vec::new()];
         for (half, column) in [true, false].into_iter().zip(&mut columns) {
             for &count in &options.counts {
@@ -141,19 +146,54 @@ fn table(options: &Options) -> Vec<(BroadPhaseKind, [Vec<f64>; 2])> {
     rows
 }
 
-/// A step of the moving scene, in seconds.
-fn moving(options: &Options, kind: BroadPhaseKind, count: usize, rest: Layer) -> f64 {
+/// What the nine tenths do that do not move in a step.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Scene {
+    /// They are immovable.
+    Standing,
+    /// They can move, but do not.
+    Resting,
+    /// They moved in other steps: who moves is drawn anew each time.
+    Creeping,
+}
+
+impl Scene {
+    const ALL: [Scene; 3] = [Scene::Standing, Scene::Resting, Scene::Creeping];
+
+    fn name(self) -> &'static str {
+        match self {
+            Scene::Standing => "standing",
+            Scene::Resting => "resting",
+            Scene::Creeping => "creeping",
+        }
+    }
+}
+
+/// Steps of a moving scene, in seconds.
+#[derive(Clone, Copy)]
+struct Steps {
+    median: f64,
+    /// What the median hides: work that is done in some steps for all.
+    mean: f64,
+}
+
+fn moving(options: &Options, kind: BroadPhaseKind, count: usize, scene: Scene) -> Steps {
     let mut boxes = boxes(count);
     let mut random = Random(2);
     let mut bp = kind.build();
+    let rest = if scene == Scene::Standing { Layer::Static } else { Layer::Moving };
     for (i, b) in (0u32..).zip(&boxes) {
         bp.insert(i, b, if i % 10 == 0 { Layer::Moving } else { rest });
     }
-    let moved: Vec<u32> = (0..count as u32).step_by(10).collect();
+    let mut moved: Vec<u32> = (0..count as u32).step_by(10).collect();
     let mut out = Vec::new();
     let mut steps = |runs: usize, budget: Duration| {
         let (begin, mut times) = (Instant::now(), Vec::new());
         while times.len() < runs && (times.is_empty() || begin.elapsed() < budget) {
+            if scene == Scene::Creeping {
+                moved.clear();
+                moved.extend((0..count as u32).filter(|_| random.signed() < -0.8));
+            }
             for &i in &moved {
                 let b = &mut boxes[i as usize];
                 let d = random.vec() * 0.5;
@@ -170,7 +210,7 @@ fn moving(options: &Options, kind: BroadPhaseKind, count: usize, rest: Layer) ->
     steps(60, options.budget);
     let mut times = steps(options.runs.max(11) * 5, options.budget * 2);
     times.sort_by(f64::total_cmp);
-    times[times.len() / 2]
+    Steps { median: times[times.len() / 2], mean: times.iter().sum::<f64>() / times.len() as f64 }
 }
 
 /// Three digits.
@@ -192,19 +232,38 @@ fn write(path: &std::path::Path, text: &str) {
 
 fn main() {
     let args: Vec<String> = std::env::args().skip(1).collect();
+    let value = |name: &str| {
+        args.iter().position(|a| a == name).map(|at| args.get(at + 1).expect("a value after the option"))
+    };
     let quick = args.iter().any(|a| a == "--quick");
     let measured = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/measured");
-    let out = args.iter().position(|a| a == "--out").map(|at| args.get(at + 1).expect("--out FILE").into());
-    let path: std::path::PathBuf = out.unwrap_or_else(|| measured.join("broad_phase.csv"));
+    let path: std::path::PathBuf =
+        value("--out").map_or_else(|| measured.join("broad_phase.csv"), |path| path.into());
     let stem = path.file_stem().expect("a file").to_string_lossy().into_owned();
     let moving_path = path.with_file_name(format!("{stem}_moving.csv"));
+    let wanted: Option<Vec<&str>> = value("--kinds").map(|names| names.split(',').collect());
+    let kinds: Vec<BroadPhaseKind> = BroadPhaseKind::ALL
+        .into_iter()
+        .filter(|kind| wanted.as_ref().is_none_or(|names| names.contains(&kind.name())))
+        .collect();
     let options = if quick {
         Options { budget: Duration::from_millis(100), runs: 5, counts: vec![10, 100, 1000, 10_000, 100_000] }
     } else {
         let counts = vec![10, 100, 1000, 10_000, 100_000, 1_000_000];
         Options { budget: Duration::from_secs(1), runs: 11, counts }
     };
+    match value("--only").map(String::as_str) {
+        Some("moving") => {}
+        None => table_1(&options, &kinds, &path),
+        Some(other) => panic!("--only moving, not {other}"),
+    }
+    table_2(&options, &kinds, &moving_path);
+}
 
+const PRECISION: &str = if size_of::<Float>() == 4 { "f32" } else { "f64" };
+
+/// Taking in all boxes and finding all pairs.
+fn table_1(options: &Options, kinds: &[BroadPhaseKind], path: &std::path::Path) {
     let yardstick = boxes(10_000);
     let mut pairs = Vec::new();
     let naive = median(&Options { runs: 9, budget: Duration::from_secs(5), counts: Vec::new() }, || {
@@ -216,10 +275,9 @@ fn main() {
         milliseconds(naive)
     );
 
-    let rows = table(&options);
-    let precision = if size_of::<Float>() == 4 { "f32" } else { "f64" };
+    let rows = table(options, kinds);
     let mut text = format!(
-        "# Milliseconds to take in N boxes and find all pairs, {precision}; medians of 3 to {} runs. See benches/table1.rs.\n\
+        "# Milliseconds to take in N boxes and find all pairs, {PRECISION}; medians of 3 to {} runs. See benches/table1.rs.\n\
          # Columns `half`: every second box immovable; `all`: every box can move; `published`: Table 1 of the seed.\n\
          # Two nested loops over 10 000 boxes: {} ms here; the seed published 252 ms; factor {factor:.3}.\n\
          broad phase",
@@ -249,34 +307,7 @@ fn main() {
         }
         text.push('\n');
     }
-    write(&path, &text);
-
-    let counts: Vec<usize> =
-        options.counts.iter().copied().filter(|n| (1000..=100_000).contains(n)).collect();
-    let mut text = format!(
-        "# Milliseconds a step: a tenth of N boxes is moved by up to half a box an axis, and their pairs are found; {precision}, medians.\n\
-         # Columns `standing`: the other nine tenths are immovable; `resting`: they can move, but do not.\n\
-         broad phase"
-    );
-    for scene in ["standing", "resting"] {
-        counts.iter().for_each(|n| write!(text, ",{scene} {n} [ms]").unwrap());
-    }
-    text.push('\n');
-    let mut steps = Vec::new();
-    for (kind, columns) in &rows {
-        text += kind.name();
-        for rest in [Layer::Static, Layer::Moving] {
-            for &n in &counts {
-                let built = options.counts.iter().position(|&m| m == n).and_then(|k| columns[1].get(k));
-                let time = built.filter(|&&t| t < 2.0).map(|_| moving(&options, *kind, n, rest));
-                write!(text, ",{}", cell(time.as_ref())).unwrap();
-                steps.push((*kind, rest, n, time));
-            }
-        }
-        text.push('\n');
-    }
-    write(&moving_path, &text);
-    print!("{text}");
+    write(path, &text);
 
     let find = |kind| rows.iter().find(|r: &&(BroadPhaseKind, _)| r.0 == kind).map(|r| &r.1[0]);
     if let Some(omt) = find(BroadPhaseKind::OmtSplit).and_then(|times| times.get(4)) {
@@ -288,17 +319,58 @@ fn main() {
             scaled / omt
         );
     }
-    let step = |kind, rest| {
-        let found = steps.iter().find(|s| (s.0, s.1, s.2) == (kind, rest, 100_000));
-        found.and_then(|s| s.3).unwrap_or(f64::NAN)
-    };
-    for (rest, name) in [(Layer::Static, "standing"), (Layer::Moving, "resting")] {
+}
+
+/// A tenth moves.
+fn table_2(options: &Options, kinds: &[BroadPhaseKind], path: &std::path::Path) {
+    let counts: Vec<usize> =
+        options.counts.iter().copied().filter(|n| (1000..=100_000).contains(n)).collect();
+    let mut text = format!(
+        "# Milliseconds a step: a tenth of N boxes is moved by up to half a box an axis, and their pairs are found; {PRECISION}, medians.\n\
+         # Columns `standing`: the other nine tenths are immovable; `resting`: they can move, but do not; `creeping`: another tenth moves each step.\n\
+         broad phase"
+    );
+    for scene in Scene::ALL {
+        counts.iter().for_each(|n| write!(text, ",{} {n} [ms]", scene.name()).unwrap());
+    }
+    text.push('\n');
+    let mut rows: Vec<(BroadPhaseKind, Scene, Vec<Steps>)> = Vec::new();
+    for &kind in kinds {
+        text += kind.name();
+        for scene in Scene::ALL {
+            let mut row: Vec<Steps> = Vec::new();
+            for &n in &counts {
+                let medians: Vec<f64> = row.iter().map(|steps| steps.median).collect();
+                if predicted(&medians) < STEP_LIMIT {
+                    row.push(moving(options, kind, n, scene));
+                }
+            }
+            (0..counts.len()).for_each(|k| write!(text, ",{}", cell(row.get(k).map(|r| &r.median))).unwrap());
+            rows.push((kind, scene, row));
+        }
+        text.push('\n');
+    }
+    write(path, &text);
+    print!("{text}");
+
+    let find = |kind, scene| rows.iter().find(|row| (row.0, row.1) == (kind, scene)).map(|row| &row.2);
+    for scene in Scene::ALL {
         for kind in [BroadPhaseKind::DynamicBvh, BroadPhaseKind::DynamicRTree] {
-            let ratio = step(BroadPhaseKind::OmtSplit, rest) / step(kind, rest);
-            println!(
-                "a tenth of 100 000 moves, {name}: {} is {ratio:.2} times as fast as omt_split",
-                kind.name()
-            );
+            let (Some(own), Some(omt)) = (find(kind, scene), find(BroadPhaseKind::OmtSplit, scene)) else {
+                continue;
+            };
+            for ((own, omt), count) in own.iter().zip(omt).zip(&counts) {
+                println!(
+                    "a tenth of {count} moves, {}: {} takes {} ms (mean {}) and is {:.2} times as fast as omt_split \
+                     (by the mean {:.2})",
+                    scene.name(),
+                    kind.name(),
+                    milliseconds(own.median),
+                    milliseconds(own.mean),
+                    omt.median / own.median,
+                    omt.mean / own.mean
+                );
+            }
         }
     }
 }

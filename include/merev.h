@@ -789,6 +789,330 @@ typedef struct mvSATCache {
 } mvSATCache;
 
 /**
+ * A colour, 0xRRGGBB.
+ */
+typedef uint32_t mvHexColor;
+
+/**
+ * What mvWorld_Draw() draws and with what, and what mvWorld_DrawBuffers() puts into arrays. Made by
+ * mvDefaultDebugDraw(). Functions get pointers, valid during the call, and numbers; all are in world coordinates, any
+ * may be null. They may read the world but not change it.
+ */
+typedef struct mvDebugDraw {
+    /**
+     * Shows that the structure was made by its function. Leave it alone.
+     */
+    int32_t internalValue;
+    /**
+     * Draws a shape whose frame is placed by the transform. Where it is null, shapes are drawn by DrawSphereFcn,
+     * DrawCapsuleFcn, DrawBoxFcn and, face by face, DrawPolygonFcn.
+     */
+    void (*DrawShapeFcn)(const mvShapeId *shapeId,
+                         const mvWorldTransform *transform,
+                         mvHexColor color,
+                         void *context);
+    /**
+     * Draws a line.
+     */
+    void (*DrawSegmentFcn)(const mvPos *p1, const mvPos *p2, mvHexColor color, void *context);
+    /**
+     * Draws a frame; its axes as long as you like. Where it is null, DrawSegmentFcn draws the axes.
+     */
+    void (*DrawTransformFcn)(const mvWorldTransform *transform, void *context);
+    /**
+     * Draws a point; its size is in pixels.
+     */
+    void (*DrawPointFcn)(const mvPos *p, mvFloat size, mvHexColor color, void *context);
+    /**
+     * Draws a ball.
+     */
+    void (*DrawSphereFcn)(const mvPos *p,
+                          mvFloat radius,
+                          mvHexColor color,
+                          mvFloat alpha,
+                          void *context);
+    /**
+     * Draws a capsule.
+     */
+    void (*DrawCapsuleFcn)(const mvPos *p1,
+                           const mvPos *p2,
+                           mvFloat radius,
+                           mvHexColor color,
+                           mvFloat alpha,
+                           void *context);
+    /**
+     * Draws a face of a hull, or the part of a half-space's surface that is near the scene: a flat convex polygon whose
+     * corners go counter-clockwise seen from outside.
+     */
+    void (*DrawPolygonFcn)(const mvPos *vertices,
+                           int count,
+                           mvHexColor color,
+                           mvFloat alpha,
+                           void *context);
+    /**
+     * Draws a box along the axes. Where it is null, DrawSegmentFcn draws its edges.
+     */
+    void (*DrawBoundsFcn)(const mvAABB *aabb, mvHexColor color, void *context);
+    /**
+     * Draws a box with these half extents.
+     */
+    void (*DrawBoxFcn)(const mvVec3 *extents,
+                       const mvWorldTransform *transform,
+                       mvHexColor color,
+                       void *context);
+    /**
+     * Draws a text, in UTF-8.
+     */
+    void (*DrawStringFcn)(const mvPos *p, const char *s, mvHexColor color, void *context);
+    /**
+     * What lies wholly outside is not drawn; default all that coordinates can reach.
+     */
+    mvAABB drawingBounds;
+    /**
+     * The length of forces [m/N], >= 0; default 1e-4.
+     */
+    mvFloat forceScale;
+    /**
+     * A factor on the size of joints, >= 0; default 1.
+     */
+    mvFloat jointScale;
+    /**
+     * Whether shapes are drawn; default true.
+     */
+    bool drawShapes;
+    /**
+     * Whether the edges of shapes are drawn, as lines; default false.
+     */
+    bool drawEdges;
+    /**
+     * Whether joints are drawn; default true.
+     */
+    bool drawJoints;
+    /**
+     * Whether frames and limits of joints are drawn, too; default false.
+     */
+    bool drawJointExtras;
+    /**
+     * Whether the boxes that the broad phase knows are drawn; default false.
+     */
+    bool drawBounds;
+    /**
+     * Whether mass and centre of mass of dynamic bodies are drawn; default false.
+     */
+    bool drawMass;
+    /**
+     * Whether it is written for how long bodies have been slow, and which are asleep; default false.
+     */
+    bool drawSleep;
+    /**
+     * Whether the names of bodies are written; default false.
+     */
+    bool drawBodyNames;
+    /**
+     * Whether contact points are drawn; default false.
+     */
+    bool drawContacts;
+    /**
+     * Whether contact points lie on the surface of shape A rather than midway; default false.
+     */
+    bool drawAnchorA;
+    /**
+     * Whether contact points have the colours of the constraint graph; default false.
+     */
+    bool drawGraphColors;
+    /**
+     * Whether the features that meet in contact points are written; default false.
+     */
+    bool drawContactFeatures;
+    /**
+     * Whether contact normals are drawn; default false.
+     */
+    bool drawContactNormals;
+    /**
+     * Whether forces along contact normals are drawn, mean over the last step; default false.
+     */
+    bool drawContactForces;
+    /**
+     * Whether friction forces are drawn, mean over the last step; default false.
+     */
+    bool drawFrictionForces;
+    /**
+     * Whether islands are drawn, as boxes around their bodies; default false.
+     */
+    bool drawIslands;
+    /**
+     * Whether mvWorld_DrawBuffers() gives triangles for balls, capsules and boxes, too, rather than instances; default
+     * false.
+     */
+    bool tessellate;
+    /**
+     * Passed to the functions.
+     */
+    void *context;
+} mvDebugDraw;
+
+/**
+ * A line of a drawing.
+ */
+typedef struct mvDrawLine {
+    /**
+     * One end [m].
+     */
+    mvPos p1;
+    /**
+     * The other end [m].
+     */
+    mvPos p2;
+    /**
+     * Its colour.
+     */
+    mvHexColor color;
+} mvDrawLine;
+
+/**
+ * A triangle of a shape's surface.
+ */
+typedef struct mvDrawTriangle {
+    /**
+     * The corners, counter-clockwise seen from outside [m].
+     */
+    mvPos p1;
+    /**
+     * The second.
+     */
+    mvPos p2;
+    /**
+     * The third.
+     */
+    mvPos p3;
+    /**
+     * The outward normal, of length 1.
+     */
+    mvVec3 normal;
+    /**
+     * Its colour.
+     */
+    mvHexColor color;
+    /**
+     * Whose it is.
+     */
+    mvShapeId shapeId;
+} mvDrawTriangle;
+
+/**
+ * What an instance is: one of the mv_draw... constants.
+ */
+typedef int32_t mvDrawInstanceKind;
+
+/**
+ * A shape that is drawn from a mesh of its kind.
+ */
+typedef struct mvDrawInstance {
+    /**
+     * The frame in which it is centred.
+     */
+    mvWorldTransform transform;
+    /**
+     * By kind [m].
+     */
+    mvVec3 size;
+    /**
+     * What it is.
+     */
+    mvDrawInstanceKind kind;
+    /**
+     * Its colour.
+     */
+    mvHexColor color;
+    /**
+     * Whose it is.
+     */
+    mvShapeId shapeId;
+} mvDrawInstance;
+
+/**
+ * A point of a drawing.
+ */
+typedef struct mvDrawPoint {
+    /**
+     * Where [m].
+     */
+    mvPos position;
+    /**
+     * In pixels.
+     */
+    mvFloat size;
+    /**
+     * Its colour.
+     */
+    mvHexColor color;
+} mvDrawPoint;
+
+/**
+ * A text of a drawing.
+ */
+typedef struct mvDrawString {
+    /**
+     * Where [m].
+     */
+    mvPos position;
+    /**
+     * What it says, in UTF-8.
+     */
+    const char *text;
+    /**
+     * Its colour.
+     */
+    mvHexColor color;
+} mvDrawString;
+
+/**
+ * A drawing in arrays.
+ */
+typedef struct mvDrawBuffers {
+    /**
+     * Edges, joints, boxes, frames, normals and forces.
+     */
+    const mvDrawLine *lines;
+    /**
+     * The surfaces of shapes that are no instances.
+     */
+    const mvDrawTriangle *triangles;
+    /**
+     * Balls, capsules and boxes.
+     */
+    const mvDrawInstance *instances;
+    /**
+     * Contacts, centres of mass and the like.
+     */
+    const mvDrawPoint *points;
+    /**
+     * Names and numbers.
+     */
+    const mvDrawString *strings;
+    /**
+     * The number of lines.
+     */
+    int lineCount;
+    /**
+     * The number of triangles.
+     */
+    int triangleCount;
+    /**
+     * The number of instances.
+     */
+    int instanceCount;
+    /**
+     * The number of points.
+     */
+    int pointCount;
+    /**
+     * The number of texts.
+     */
+    int stringCount;
+} mvDrawBuffers;
+
+/**
  * Mixes the friction of two materials: called for every contact in every step, on the stepping thread, once for
  * sliding and once for static friction. A result that is not a number >= 0 counts as 0.
  */
@@ -2889,6 +3213,21 @@ typedef struct mvVec2 {
 } mvVec2;
 
 /**
+ * A ball: size is (radius, radius, radius).
+ */
+#define mv_drawSphere 0
+
+/**
+ * A capsule along y: size is (radius, half the length of its segment, radius).
+ */
+#define mv_drawCapsule 1
+
+/**
+ * A box: size is its half extents.
+ */
+#define mv_drawBox 2
+
+/**
  * Never moves by itself; nothing pushes it.
  */
 #define mv_staticBody 0
@@ -4105,6 +4444,36 @@ void mvCollideHulls(mvLocalManifold *manifold,
  * Does this contact exist? A contact exists while the boxes of its shapes meet.
  */
 MV_API bool mvContact_IsValid(mvContactId id);
+
+/**
+ * Get a drawing with the default values: shapes and joints, without functions.
+ */
+MV_API mvDebugDraw mvDefaultDebugDraw(void);
+
+/**
+ * Draw a world as it is now. Disabled bodies are not drawn.
+ *
+ * @param worldId the world
+ * @param draw what to draw, and the functions that do it
+ * @param maskBits shapes with none of these category bits are not drawn; MV_DEFAULT_MASK_BITS for all
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange.
+ */
+MV_API void mvWorld_Draw(mvWorldId worldId, const mvDebugDraw *draw, uint64_t maskBits);
+
+/**
+ * Draw a world as it is now, into arrays. The functions of the drawing are not called.
+ *
+ * @param worldId the world
+ * @param draw what to draw
+ * @param maskBits shapes with none of these category bits are not drawn; MV_DEFAULT_MASK_BITS for all
+ * @return the arrays, empty for bad arguments. They stay valid until the next call of this function for this world, on
+ * any thread, or until the world is destroyed.
+ * @note Errors: mv_errorNull, mv_errorDefinition, mv_errorNotFinite, mv_errorRange.
+ */
+MV_API
+mvDrawBuffers mvWorld_DrawBuffers(mvWorldId worldId,
+                                  const mvDebugDraw *draw,
+                                  uint64_t maskBits);
 
 /**
  * Get a world definition with the default values.

@@ -20,6 +20,8 @@ pub mod island;
 pub mod narrow_phase;
 pub mod solver;
 
+pub mod debug_draw;
+
 pub mod capi;
 
 pub use error::{Error, ErrorCode, Result};

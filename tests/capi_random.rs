@@ -4,7 +4,7 @@
 //! Every seed is a story of its own. `MEREV_RANDOM_SECONDS` sets how long to go on (default 3, an hour is 3600);
 //! `MEREV_RANDOM_SEED` plays one seed alone, as the failure message says.
 
-use core::ffi::{c_int, c_void};
+use core::ffi::{c_char, c_int, c_void};
 use merev::capi::*;
 use std::cell::Cell;
 use std::ffi::{CStr, CString};
@@ -239,6 +239,33 @@ unsafe extern "C" fn pre_solve(_: mvShapeId, _: mvShapeId, _: mvPos, _: mvVec3, 
 
 unsafe extern "C" fn overlap(_: mvShapeId, _: *mut c_void) -> Flag {
     [1, 1, 1, 0, 3][in_callback()]
+}
+
+unsafe extern "C" fn segment(p: *const mvPos, _: *const mvPos, color: mvHexColor, _: *mut c_void) {
+    // Sound: valid during the call.
+    assert!(in_callback() < 5 && unsafe { *p }.x.is_finite() && color <= 0xff_ff_ff);
+}
+
+unsafe extern "C" fn draw_shape(
+    shape: *const mvShapeId,
+    at: *const mvWorldTransform,
+    _: mvHexColor,
+    _: *mut c_void,
+) {
+    // Sound: valid during the call.
+    let (shape, at) = unsafe { (*shape, *at) };
+    assert!(in_callback() < 5 && mvShape_IsValid(shape) && at.p.x.is_finite());
+}
+
+unsafe extern "C" fn polygon(corners: *const mvPos, n: c_int, _: mvHexColor, _: mvFloat, _: *mut c_void) {
+    // Sound: as many as it says.
+    let corners = unsafe { std::slice::from_raw_parts(corners, n as usize) };
+    assert!(in_callback() < 5 && n >= 3 && corners.iter().all(|p| p.x.is_finite()));
+}
+
+unsafe extern "C" fn string(_: *const mvPos, text: *const c_char, _: mvHexColor, _: *mut c_void) {
+    // Sound: a string that is valid during the call.
+    assert!(in_callback() < 5 && !unsafe { CStr::from_ptr(text) }.is_empty());
 }
 
 unsafe extern "C" fn cast(

@@ -1454,6 +1454,12 @@ public:
     }
     void setRestitutionCallback(std::nullptr_t) const noexcept { mvWorld_SetRestitutionCallback(id(), nullptr, nullptr); }
 
+    /// Draw a world as it is now.
+    void draw(const mvDebugDraw& draw, uint64_t maskBits) const noexcept { mvWorld_Draw(id(), &draw, maskBits); }
+    /// Draw a world as it is now, into arrays.
+    mvDrawBuffers drawBuffers(const mvDebugDraw& draw, uint64_t maskBits) const noexcept {
+        return mvWorld_DrawBuffers(id(), &draw, maskBits);
+    }
     /// Find the shapes whose boxes overlap a box, into an array.
     int overlapAABBAll(AABB aabb, QueryFilter filter, Span<mvShapeId> shapeIds) const noexcept {
         return mvWorld_OverlapAABBAll(id(), aabb, filter, shapeIds.data(), shapeIds.size());

@@ -9,7 +9,7 @@ use crate::references::chain;
 use crate::scene::Scene;
 use crate::scenes::{G, group_e, joints};
 use crate::table::{Table, length};
-use crate::vector::{Q4, V3, conjugate, norm, rotate};
+use crate::vector::{self, Q4, V3, conjugate, norm, rotate, times};
 use std::f64::consts::FRAC_PI_2;
 
 /// A chain of rods, what is measured, rods, their length \[m\], and after how many steps.
@@ -23,12 +23,32 @@ const SWINGS: [Swing; 5] = [
     (joints::chain_20, "chain of 20, tip at 0.5 s", 20, 0.2, 30),
 ];
 
+/// About these the pendulum's scene is turned by a radian, too: how far a single-precision engine is off depends on how
+/// its axes lie.
+const DIRECTIONS: [V3; 9] = [
+    [1.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0],
+    [0.0, 0.0, 1.0],
+    [0.6, 0.8, 0.0],
+    [0.0, 0.6, 0.8],
+    [0.8, 0.0, 0.6],
+    [-0.6, 0.0, 0.8],
+    [0.8, -0.6, 0.0],
+    [0.0, 0.8, -0.6],
+];
+
+/// A radian about an axis, and then the turn of the copy.
+fn spun(turn: Option<Q4>, axis: V3) -> Q4 {
+    let own = vector::turn(axis, 1.0);
+    turn.map_or(own, |q| times(q, own))
+}
+
 /// Runs all of it and gives the report.
 pub fn run(peers: bool) -> String {
     let makers: Vec<Maker> = engines::racers(peers);
     let mut table =
         Table::new(&[&["quantity"][..], &makers.iter().map(|m| m.name).collect::<Vec<_>>()].concat());
-    let bar = progress::bar((SWINGS.len() + 5) as u64, "joints");
+    let bar = progress::bar((SWINGS.len() + 6) as u64, "joints");
     let mut line = |name: &str, measure: &dyn Fn(&Maker, Option<Q4>) -> String| {
         let cells = makers.iter().map(|m| {
             let (a, b) = (measure(m, None), measure(m, Some(TURN)));
@@ -39,6 +59,11 @@ pub fn run(peers: bool) -> String {
     };
     line("pendulum from 90°, period", &|m, turn| format!("{:.1e}", pendulum(m, turn).0));
     line("pendulum, worst gap", &|m, turn| length(pendulum(m, turn).1));
+    line("pendulum, period in nine more directions: median", &|m, turn| {
+        let mut errors = DIRECTIONS.map(|axis| pendulum(m, Some(spun(turn, axis))).0);
+        errors.sort_by(f64::total_cmp);
+        format!("{:.1e}, at worst {:.1e}", errors[DIRECTIONS.len() / 2], errors[DIRECTIONS.len() - 1])
+    });
     for (scene, name, count, size, step) in SWINGS {
         let tip = chain::tips(count, size, G, &[step as f64 / 60.0])[0];
         line(name, &|m, turn| length(off(m, &scene(), step, tip, turn)));

@@ -8,7 +8,7 @@
 //! |---|---|---|---|---|---|
 //! | `brute_force` | every moved box against every box | – | moved × all | oracle of the tests; a few dozen boxes | quadratic |
 //! | `dynamic_bvh` | two binary trees of boxes, static and moving, patched where boxes move | \[Catto GDC19\], \[Bittner 2013\], \[Wald 2007\] | (moved + pairs) × log all | many updates, few questions | boxes that all contain each other make it deep |
-//! | `dynamic_rtree` | two packed wide trees, patched where boxes move | \[Guttman 1984\], \[Lee, Lee 2003\] | (moved + pairs) × log all | default | everything moves far in every step: `omt` is as good |
+//! | `dynamic_rtree` | three packed wide trees, patched where boxes move: what stands, rests, moves again and again | \[Guttman 1984\], \[Lee, Lee 2003\], \[Brinkhoff et al. 1993\] | (moved + pairs) × log all | default | everything moves far in every step: `omt` is as good |
 //! | `sort_and_sweep` | one list, sorted along the axis of greatest spread | \[Baraff 1992\] | all × window | everything moves; long scenes | boxes in a plane across the axis |
 //! | `sort_and_sweep_3` | three sorted lists, overlaps intersected | \[Cohen et al. 1995\] | all × window × 3 | for comparison | large scenes |
 //! | `rtree` | wide tree, least growth of volume, quadratic split | \[Guttman 1984\] | (moved + pairs) × log all | for comparison | nodes overlap |
@@ -24,6 +24,7 @@ mod boxes;
 mod brute_force;
 mod bvh;
 mod dynamic_bvh;
+mod dynamic_rtree;
 mod node;
 mod omt;
 mod pair_set;
@@ -90,12 +91,9 @@ pub enum BroadPhaseKind {
     /// [`BroadPhaseKind::Omt`] with what stands in a tree of its own.
     OmtSplit = 15,
     /// R-trees packed by [`BroadPhaseKind::Omt`], patched where boxes move and packed anew when worn out; what stands
-    /// has a tree of its own.
+    /// has a tree of its own, and so has what moves again and again.
     DynamicRTree = 16,
 }
-
-/// How the trees of [`BroadPhaseKind::DynamicRTree`] are kept.
-type Patched = node::Repacked<rtree::Quadratic, omt::Cuts>;
 
 impl BroadPhaseKind {
     /// Every variant that can be built, [`BroadPhaseKind::Auto`] apart.
@@ -163,7 +161,7 @@ impl BroadPhaseKind {
             BroadPhaseKind::StrSplit => Box::new(Split::<node::Packed<str_packing::Tiles>>::default()),
             BroadPhaseKind::OmtSplit => Box::new(Split::<node::Packed<omt::Cuts>>::default()),
             BroadPhaseKind::Auto | BroadPhaseKind::DynamicRTree => {
-                Box::new(Split::<node::Grown<Patched>>::default())
+                Box::new(dynamic_rtree::DynamicRTree::default())
             }
         }
     }

@@ -1,5 +1,5 @@
 use super::slab::Sweep;
-use super::structure::{Marks, Structure, ordered};
+use super::structure::{Marks, Structure, ordered, sort_pairs};
 use super::{BroadPhase, BroadPhaseStats, Layer};
 use crate::math::{Aabb, Float, Vec3};
 
@@ -81,7 +81,7 @@ impl<S: Structure> BroadPhase for Split<S> {
             }
         }
         marks.unmark(moved);
-        out.sort_unstable();
+        sort_pairs(out);
     }
 
     fn query(&self, aabb: &Aabb, visit: &mut dyn FnMut(u32) -> bool) {

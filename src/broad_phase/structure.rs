@@ -95,6 +95,11 @@ pub(super) fn ordered(a: u32, b: u32) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }
 
+/// Brings pairs into order. As one number a pair is compared in one instruction.
+pub(super) fn sort_pairs(pairs: &mut [[u32; 2]]) {
+    pairs.sort_unstable_by_key(|&[a, b]| u64::from(a) << 32 | u64::from(b));
+}
+
 /// A broad phase of one structure that holds what stands and what moves.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Whole<S> {
@@ -148,7 +153,7 @@ impl<S: Structure> BroadPhase for Whole<S> {
             }
         }
         marks.unmark(moved);
-        out.sort_unstable();
+        sort_pairs(out);
     }
 
     fn query(&self, aabb: &Aabb, visit: &mut dyn FnMut(u32) -> bool) {

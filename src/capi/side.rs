@@ -1,8 +1,10 @@
-//! What the shell keeps beside a world because C wants a pointer to it: strings, events, manifolds, hulls.
+//! What the shell keeps beside a world because C wants a pointer to it: strings, events, manifolds, hulls,
+//! drawings.
 //!
 //! Readers may ask for these at the same time, so each kind has a lock of its own, held for a moment.
 
 use super::contact::mvManifold;
+use super::debug_draw::DrawArrays;
 use super::event::EventArrays;
 use super::hull_data::{Block, mvHullData};
 use crate::world::{ContactId, World};
@@ -24,9 +26,11 @@ pub(super) struct Side {
     events: Mutex<EventArrays>,
     manifolds: Mutex<BTreeMap<ContactId, Box<mvManifold>>>,
     hulls: Mutex<BTreeMap<u32, (u16, Block)>>,
+    drawing: Mutex<DrawArrays>,
 }
 
-// Sound: events hold users' pointers, which are only handed back, never followed.
+// Sound: events hold users' pointers, which are only handed back, never followed; a drawing's strings point into texts
+// beside them.
 unsafe impl Send for Side {}
 unsafe impl Sync for Side {}
 
@@ -41,6 +45,7 @@ impl Side {
         *lock(&self.events) = EventArrays::default();
         lock(&self.manifolds).clear();
         lock(&self.hulls).clear();
+        *lock(&self.drawing) = DrawArrays::default();
     }
 
     /// A step begins: what was valid until then is not any more.
@@ -90,6 +95,11 @@ impl Side {
             hulls.insert(index, (generation, make()));
         }
         hulls[&index].1.as_ptr()
+    }
+
+    /// The arrays of the latest drawing, to be filled anew.
+    pub(super) fn drawing<R>(&self, f: impl FnOnce(&mut DrawArrays) -> R) -> R {
+        f(&mut lock(&self.drawing))
     }
 
     /// A shape got other geometry.

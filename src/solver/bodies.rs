@@ -29,6 +29,8 @@ pub struct Batch {
     pub isolated: Range<usize>,
     /// Places of its islands in [`Bodies::islands`].
     pub islands: Range<usize>,
+    /// Whether its islands (all or none) have both joints and contacts.
+    pub mixed: bool,
 }
 
 /// An awake island.
@@ -38,6 +40,8 @@ pub struct AwakeIsland {
     pub id: u32,
     /// How many constraints it has.
     pub constraints: u32,
+    /// Whether it has both joints and contacts.
+    pub mixed: bool,
     /// The solver rows of its bodies.
     pub rows: Range<usize>,
 }
@@ -49,7 +53,7 @@ pub struct Bodies {
     pub rows: Rows,
     /// Batches of islands.
     pub batches: Vec<Batch>,
-    /// The awake islands, in order of their first awake body.
+    /// The awake islands, in order of their first awake body; those with both joints and contacts last.
     pub islands: Vec<AwakeIsland>,
     /// How many constraints they have.
     pub constraints: usize,
@@ -73,7 +77,7 @@ impl Bodies {
             let island = bodies.bodies[index as usize].island;
             if island != NONE && self.place_of[island as usize] == NONE {
                 self.place_of[island as usize] = self.islands.len() as u32;
-                self.islands.push(AwakeIsland { id: island, constraints: 0, rows: 0..0 });
+                self.islands.push(AwakeIsland { id: island, constraints: 0, mixed: false, rows: 0..0 });
             }
         }
         self.constraints = 0;
@@ -82,6 +86,24 @@ impl Bodies {
             if let Some(island) = island_of(bodies, contact.body).filter(|_| contact.is(flags::CONSTRAINT)) {
                 self.islands[self.place_of[island as usize] as usize].constraints += 1;
                 self.constraints += 1;
+            }
+        }
+        self.put_mixed_last(bodies, islands);
+    }
+
+    /// No island's result may depend on which others share its batch, so those that are swept twice have their own.
+    fn put_mixed_last(&mut self, bodies: &BodyStore, islands: &IslandStore) {
+        let mut any = false;
+        for island in self.islands.iter_mut().filter(|island| island.constraints > 0) {
+            let mut members = islands.islands[island.id as usize].bodies.iter();
+            island.mixed = members.any(|&b| !bodies.bodies[b as usize].joints.is_empty());
+            any |= island.mixed;
+        }
+        if any {
+            let Self { islands, place_of, .. } = self;
+            islands.sort_unstable_by_key(|island| (island.mixed, place_of[island.id as usize]));
+            for (place, island) in islands.iter().enumerate() {
+                place_of[island.id as usize] = place as u32;
             }
         }
     }
@@ -105,18 +127,20 @@ impl Bodies {
         self.batches.clear();
         self.isolated.clear();
 
-        let mut bytes = usize::MAX;
+        let (mut bytes, mut mixed) = (usize::MAX, false);
         for (place, awake_island) in self.islands.iter_mut().enumerate() {
             let island = &islands.islands[awake_island.id as usize];
             let size = island.bodies.len() * (size_of::<Row>() + size_of::<InertiaRow>() + size_of::<Aux>())
                 + awake_island.constraints as usize * 70 * size_of::<Float>();
-            if bytes == usize::MAX || bytes + size > BATCH_BYTES {
+            if bytes == usize::MAX || bytes + size > BATCH_BYTES || mixed != awake_island.mixed {
+                mixed = awake_island.mixed;
                 let (row, isolated) = (self.rows.row.len(), self.isolated.len());
                 self.batches.push(Batch {
                     rows: row..row,
                     kinematic: 0..0,
                     isolated: isolated..isolated,
                     islands: place..place,
+                    mixed,
                 });
                 bytes = 0;
             }

@@ -84,6 +84,56 @@ pub const ACTS: &[Act] = &[
             }
         }
     }),
+    ("draw", |s| {
+        let (w, mut draw) = (s.world(), mvDefaultDebugDraw());
+        draw.draw_segment_fcn = Some(segment);
+        draw.draw_shape_fcn = (s.r.below(2) == 0).then_some(draw_shape as _);
+        draw.draw_polygon_fcn = Some(polygon);
+        draw.draw_string_fcn = Some(string);
+        if s.r.below(4) == 0 {
+            draw.drawing_bounds = s.r.aabb();
+            draw.force_scale = s.r.num();
+            draw.joint_scale = s.r.num();
+        }
+        for on in [
+            &mut draw.draw_shapes,
+            &mut draw.draw_edges,
+            &mut draw.draw_joint_extras,
+            &mut draw.draw_bounds,
+            &mut draw.draw_mass,
+            &mut draw.draw_sleep,
+            &mut draw.draw_body_names,
+            &mut draw.draw_contacts,
+            &mut draw.draw_contact_features,
+            &mut draw.draw_contact_normals,
+            &mut draw.draw_contact_forces,
+            &mut draw.draw_friction_forces,
+            &mut draw.draw_islands,
+            &mut draw.tessellate,
+        ] {
+            *on = u8::from(s.r.below(2) == 0);
+        }
+        if s.r.below(10) == 0 {
+            draw.draw_graph_colors = s.r.word() as u8;
+        }
+        let (draw, mask) = (if s.r.below(30) == 0 { None } else { Some(&draw) }, s.r.word());
+        if s.r.below(2) == 0 {
+            // Sound: the functions are of the right signatures.
+            unsafe { mvWorld_Draw(w, draw, mask) };
+        } else if s.alone {
+            let b = mvWorld_DrawBuffers(w, draw, u64::MAX);
+            for k in 0..b.line_count as usize {
+                // Sound: valid until the next drawing, which is not before the next call.
+                let line = unsafe { *b.lines.add(k) };
+                assert!(line.p1.x.is_finite() && line.color <= 0xff_ff_ff);
+            }
+            for k in 0..b.triangle_count as usize {
+                // Sound: as above.
+                let triangle = unsafe { *b.triangles.add(k) };
+                assert!(triangle.p3.y.is_finite() && triangle.normal.x.is_finite());
+            }
+        }
+    }),
     ("bulk", |s| {
         let (w, n) = (s.world(), [0, 5, 64, -1][s.r.below(4)]);
         let mut ids = [MaybeUninit::<mvBodyId>::uninit(); 64];

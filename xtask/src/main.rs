@@ -11,6 +11,7 @@ mod csv;
 #[cfg(feature = "header")]
 mod header;
 mod install;
+mod migration;
 mod tables;
 
 type Outcome<T = ()> = Result<T, Box<dyn Error>>;
@@ -25,12 +26,14 @@ fn main() -> ExitCode {
         ["header", "--check"] => header::check().and_then(|()| cpp::check()),
         ["tables"] => tables::write(),
         ["tables", "--check"] => tables::check(),
+        ["migration"] => migration::write(),
+        ["migration", "--check"] => migration::check(),
         ["install", ref options @ ..] => install::Options::parse(options).and_then(|o| install::install(&o)),
         ["check-install", ref options @ ..] => check_install::check(options),
         ["abi"] => abi::check(),
         ["abi", "--write"] => abi::write(),
         _ => Err(format!(
-            "usage: xtask header [--check]\n       xtask tables [--check]\n       xtask {}\n       \
+            "usage: xtask header [--check]\n       xtask tables [--check]\n       xtask migration [--check]\n       xtask {}\n       \
              xtask check-install [--profile abi]\n       xtask abi [--write]",
             install::USAGE
         )

@@ -54,35 +54,32 @@ impl Nodes {
     ) {
         let (a, b) = (self.node(at_a), other.node(at_b));
         let probe = BoxProbe::new(shared);
-        // The higher tree is opened alone until both are at one level.
-        if a.level > b.level {
+        // The boxes of a leaf are asked for one by one below a node of leaves: leaves next to each other mostly share no
+        // box, and finding that out costs as much.
+        if a.level == 0 && b.level <= 1 {
+            for slot in bits(a.hits(&probe)) {
+                let (child, probe) = (a.children[slot], BoxProbe::new(&a.aabb(slot)));
+                if b.level == 0 {
+                    bits(b.hits(&probe)).for_each(|hit| meet(child, b.children[hit]));
+                    continue;
+                }
+                for below in bits(b.hits(&probe)) {
+                    let leaf = other.node(b.children[below]);
+                    bits(leaf.hits(&probe)).for_each(|hit| meet(child, leaf.children[hit]));
+                }
+            }
+            return;
+        }
+        // The higher tree is opened alone until both are at one level, and then the first.
+        if a.level >= b.level {
             for slot in bits(a.hits(&probe)) {
                 let shared = intersection(shared, &a.aabb(slot));
                 self.between_below(a.children[slot], other, at_b, &shared, meet);
             }
-            return;
-        }
-        if b.level > a.level {
+        } else {
             for slot in bits(b.hits(&probe)) {
                 let shared = intersection(shared, &b.aabb(slot));
                 self.between_below(at_a, other, b.children[slot], &shared, meet);
-            }
-            return;
-        }
-        let candidates = b.hits(&probe);
-        if candidates == 0 {
-            return;
-        }
-        for slot in bits(a.hits(&probe)) {
-            let aabb = a.aabb(slot);
-            let hits = b.hits(&BoxProbe::new(&aabb)) & candidates;
-            if a.level == 0 {
-                bits(hits).for_each(|hit| meet(a.children[slot], b.children[hit]));
-            } else {
-                for hit in bits(hits) {
-                    let shared = intersection(&aabb, &b.aabb(hit));
-                    self.between_below(a.children[slot], other, b.children[hit], &shared, meet);
-                }
             }
         }
     }

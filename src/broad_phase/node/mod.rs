@@ -4,11 +4,13 @@
 //! It keeps the boxes of its *children*, in columns: four are tested at a time, and a child is opened only once its
 //! box was hit.
 
+mod batch;
 mod join;
 mod pack;
 mod patch;
 mod walk;
 
+pub(super) use batch::Batch;
 pub(super) use pack::{Builder, Item, Packed, Packing, cut, top_level};
 pub(super) use patch::{Entry, Grown, Growth, LEAST, Repacked};
 
@@ -40,6 +42,8 @@ pub(super) struct Node {
     bounds: Aabb,
     /// A box of a child was replaced since the last refresh.
     stale: bool,
+    /// Children that are picked or have something picked below them, a bit each; none but within a `find_pairs`.
+    picked: u32,
 }
 
 impl Node {
@@ -54,6 +58,7 @@ impl Node {
             slot: 0,
             bounds: Aabb::EMPTY,
             stale: false,
+            picked: 0,
         }
     }
 
@@ -100,17 +105,20 @@ impl Node {
 
     /// The least box around the children.
     fn tight_bounds(&self) -> Aabb {
+        // Not `Float::min`: there is no NaN to care for, and without that care a comparison is one instruction.
+        let least = |a: Float, b: Float| if a < b { a } else { b };
+        let most = |a: Float, b: Float| if a > b { a } else { b };
         let mut all = Aabb::EMPTY;
         for k in 0..3 {
             let (mut lower, mut upper) = (self.lower[k][0], self.upper[k][0]);
             for q in 1..QUADS {
                 for i in 0..4 {
-                    lower[i] = lower[i].min(self.lower[k][q][i]);
-                    upper[i] = upper[i].max(self.upper[k][q][i]);
+                    lower[i] = least(lower[i], self.lower[k][q][i]);
+                    upper[i] = most(upper[i], self.upper[k][q][i]);
                 }
             }
-            all.lower[k] = lower[0].min(lower[1]).min(lower[2].min(lower[3]));
-            all.upper[k] = upper[0].max(upper[1]).max(upper[2].max(upper[3]));
+            all.lower[k] = least(least(lower[0], lower[1]), least(lower[2], lower[3]));
+            all.upper[k] = most(most(upper[0], upper[1]), most(upper[2], upper[3]));
         }
         all
     }

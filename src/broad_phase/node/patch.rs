@@ -5,7 +5,7 @@ use super::super::boxes::ABSENT;
 use super::super::slab::Sweep;
 use super::super::structure::Structure;
 use super::pack::{Builder, Item, Packing};
-use super::{FAN, NONE, Node, Nodes};
+use super::{Batch, FAN, NONE, Node, Nodes};
 use crate::math::{Aabb, Float};
 use std::fmt::Debug;
 
@@ -59,6 +59,12 @@ const WEAR_LIMIT: usize = 4;
 /// An insertion wears like this many updates: a scene built up box by box is packed in its first step.
 const INSERTION_WEAR: usize = WEAR_LIMIT + 1;
 
+/// How large a node may become by boxes that leave the node above, as a part of that one's size.
+const SMALLER: Float = 0.75;
+
+/// Boxes of a batch ask their questions together if there is one for so many in the tree they ask.
+const BATCH_SHARE: usize = 32;
+
 /// A tree that is patched box by box.
 #[derive(Clone, Debug, Default)]
 pub(in super::super) struct Grown<G> {
@@ -80,6 +86,23 @@ pub(in super::super) struct Grown<G> {
 }
 
 impl<G: Growth> Grown<G> {
+    /// Picks a proxy for the next [`hand_over`](Self::hand_over).
+    pub fn pick(&mut self, proxy: u32) {
+        let (at, slot) = self.place(proxy);
+        self.nodes.pick(at, slot as u32);
+    }
+
+    /// Gives a batch the boxes of the picked proxies, and no others.
+    pub fn hand_over(&mut self, batch: &mut Batch) {
+        batch.clear();
+        self.nodes.hand_over(batch);
+    }
+
+    /// Calls `meet` with every overlapping pair of one box of a batch and one of this tree.
+    pub fn meet(&self, batch: &Batch, meet: &mut impl FnMut(u32, u32)) {
+        batch.meet(&self.nodes, BATCH_SHARE, self.len, meet);
+    }
+
     fn set_child(&mut self, at: u32, entry: &Entry) {
         let node = self.nodes.node_mut(at);
         let (level, slot) = (node.level, node.len);
@@ -318,12 +341,16 @@ impl<G: Growth> Grown<G> {
     }
 
     /// Whether a box may take the place of the one in node `at`. Where a worn tree is packed again it may leave its
-    /// node, which then grows, but not the node above.
+    /// node, which then grows, but not beyond the node above unless it stays [`SMALLER`] than that. As that grows with
+    /// it, the limit is what else is in there.
     fn stays(&self, at: u32, aabb: &Aabb) -> bool {
         let node = self.nodes.node(at);
-        node.parent == NONE
-            || node.bounds.contains(aabb)
-            || (G::PACK.is_some() && self.nodes.node(node.parent).bounds.contains(aabb))
+        if node.parent == NONE || node.bounds.contains(aabb) {
+            return true;
+        }
+        let above = &self.nodes.node(node.parent).bounds;
+        let size = |b: &Aabb| (b.upper - b.lower).sum();
+        G::PACK.is_some() && (above.contains(aabb) || size(&node.bounds.union(aabb)) <= SMALLER * size(above))
     }
 
     /// Replaces a box where it is; what is above grows to hold it, and is made tight by the next refresh.
@@ -346,6 +373,7 @@ impl<G: Growth> Grown<G> {
 
     #[cfg(test)]
     pub fn validate(&self) {
+        assert!(self.nodes.nodes.iter().all(|node| node.picked == 0));
         assert_eq!(self.nodes.validate(true, self.stale.is_empty()), self.len);
         assert_eq!(self.places.iter().filter(|&&p| p != ABSENT).count(), self.len);
     }

@@ -12,7 +12,7 @@ impl Nodes {
     }
 
     /// All ways down are equally long and short: a tree of 2³¹ boxes has at most 12 levels.
-    fn query_below(&self, at: u32, probe: &BoxProbe, visit: &mut impl FnMut(u32) -> bool) -> bool {
+    pub(super) fn query_below(&self, at: u32, probe: &BoxProbe, visit: &mut impl FnMut(u32) -> bool) -> bool {
         let node = self.node(at);
         let hits = node.hits(probe);
         if node.level == 0 {

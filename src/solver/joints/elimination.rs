@@ -9,12 +9,18 @@
 //! rounding. Such a pivot is put back to the size it had before elimination, which keeps the redundant impulse where
 //! it is and leaves the others right.
 
+use crate::math::Float;
+
 /// A plan is made only if a factorization takes at most so many multiplications for each joint, and in all.
 const MOST_PER_JOINT: u64 = 12_000;
 const MOST: u64 = 400_000;
 
-/// Below this share of its least part before elimination a pivot is rounding.
-const REDUNDANT: f64 = 1e-6;
+/// Below this share of its least part before elimination a pivot belongs to a row that others have made redundant.
+/// Loops of hinges have one such row or more each: taken at their word they would push with thousands of newtons.
+const REDUNDANT: f64 = 1e-3;
+
+/// Below this share of itself before elimination a pivot is what rounding left.
+const ROUNDING: f64 = 16.0 * (if size_of::<Float>() == 4 { f32::EPSILON as f64 } else { f64::EPSILON });
 
 /// What is known from the topology alone.
 #[derive(Clone, Debug, Default)]
@@ -259,7 +265,7 @@ fn cholesky(a: &mut [f64], size: &[f64], least: &[f64]) {
         for e in 0..c {
             pivot -= a[c * d + e] * a[c * d + e];
         }
-        if pivot <= REDUNDANT * least[c] || pivot <= f64::EPSILON * size[c] {
+        if pivot <= REDUNDANT * least[c] || pivot <= ROUNDING * size[c] {
             pivot = if size[c] > 0.0 { size[c] } else { 1.0 };
         }
         let root = pivot.sqrt();

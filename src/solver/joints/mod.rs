@@ -33,7 +33,8 @@ use crate::solver::bodies::Bodies;
 use crate::solver::rows::{Rows, inertia_times};
 use crate::solver::{Settings, SubStep, soft};
 use ball::BallSeed;
-use direct::{Aim, Direct};
+pub use direct::Aim;
+use direct::Direct;
 use groups::Groups;
 use mesh::{Balls, BeginRelax, End, Forget, LookAhead, Solve, WarmStart};
 use row::{PUSH_SPEED, Pass, SolverRow};
@@ -80,6 +81,10 @@ struct Component {
     members: Range<usize>,
     /// Whether its joints contradicted each other in this sub-step.
     damped: bool,
+    /// Whether it has contacts.
+    touched: bool,
+    /// Whose scratch it uses: one that has contacts keeps its factor for the next round.
+    scratch: usize,
 }
 
 /// The joints of the step; nothing in it but how groups are solved outlives a step.
@@ -103,7 +108,8 @@ pub struct Workspace {
     before: Vec<[Vec3; 2]>,
     /// |force| · |arm| over a body's joints, by solver row: sum and greatest.
     load: Vec<[Float; 2]>,
-    direct: Direct,
+    /// The first for all that need theirs for one pass only.
+    direct: Vec<Direct>,
     seeds: Vec<BallSeed>,
     /// How many joints the last step had.
     pub joint_count: usize,
@@ -126,7 +132,7 @@ impl Workspace {
             + self.rows.capacity() * size_of::<SolverRow>()
             + self.balls.byte_count()
             + self.ahead.capacity() * size_of::<[Quad; 2]>()
-            + self.direct.byte_count()
+            + self.direct.iter().map(Direct::byte_count).sum::<usize>()
     }
 
     /// Finds the awake joints and the batches they belong to. Bodies are laid out.
@@ -176,9 +182,25 @@ impl Workspace {
         self.batches.push(first..self.components.len());
     }
 
-    /// After the last batch.
+    /// After the last batch and its contacts.
     pub fn end(&mut self, bodies: &Bodies) {
         self.joint_count = self.joints.len() + self.balls.joint_count();
+        let mut scratches = 1;
+        for batch in &self.batches {
+            let mut next = 1;
+            for component in &mut self.components[batch.clone()] {
+                let mut members = self.members[component.members.clone()].iter();
+                component.touched = members.any(|&m| bodies.rows.aux[m as usize].touched);
+                if component.planned && component.touched {
+                    component.scratch = next;
+                    next += 1;
+                }
+            }
+            scratches = scratches.max(next);
+        }
+        if self.direct.len() < scratches {
+            self.direct.resize_with(scratches, Direct::default);
+        }
         self.ahead.clear();
         self.load.clear();
         if self.joint_count > 0 {
@@ -284,6 +306,8 @@ impl Workspace {
             colors: first_color..self.balls.color_count(),
             members: first_member..first_member + kept,
             damped: false,
+            touched: false,
+            scratch: 0,
         });
     }
 
@@ -418,6 +442,17 @@ impl Workspace {
         }
     }
 
+    /// Once more what the last pass was after, where contacts have changed velocities since then.
+    pub fn again(&mut self, batch: usize, rows: &mut Rows, aim: Aim) {
+        for c in self.batches[batch].clone() {
+            if self.components[c].planned && self.components[c].touched {
+                self.note_velocities(c, rows);
+                self.impulses(c, rows, false, aim);
+                self.note_momenta(c, rows);
+            }
+        }
+    }
+
     /// The relax pass, after bodies were moved.
     pub fn relax(&mut self, batch: usize, bodies: &mut Bodies, joints: &JointStore, sub: &SubStep) {
         for c in self.batches[batch].clone() {
@@ -463,12 +498,16 @@ impl Workspace {
             left += row.error(sub).0;
         }
         // Velocities can always be brought in order, places not: joints that contradict each other would be pushed for
-        // ever. Where an error does not go, the push does.
+        // ever. Where an error does not go, the push does; what contacts press on is no contradiction, and keeps some.
+        let touched = placed.body.iter().any(|&b| b != 0 && bodies.rows.aux[b as usize].touched);
         placed.push = if asked > STUBBORN && error - left < 0.3 * asked {
             0.5 * placed.push
         } else {
             (1.5 * placed.push).min(1.0)
         };
+        if touched {
+            placed.push = placed.push.max(PRESSED_PUSH);
+        }
         for row in &mut self.rows[placed.rows.clone()] {
             row.share = placed.push;
         }
@@ -500,7 +539,7 @@ impl Workspace {
 
     /// The impulses of a pass over a component, ball joints aside; without `factor` its system is that of the last call.
     fn impulses(&mut self, component: usize, rows: &mut Rows, factor: bool, aim: Aim) {
-        let Component { joints, group, members, .. } = self.components[component].clone();
+        let Component { joints, group, members, scratch, .. } = self.components[component].clone();
         let list = &self.joints[joints];
         if let Some(plan) = &self.groups.list[group].plan {
             let mut system = direct::System {
@@ -509,7 +548,7 @@ impl Workspace {
                 solver_rows: &mut self.rows,
                 members: &self.members[members],
                 rows,
-                work: &mut self.direct,
+                work: &mut self.direct[scratch],
             };
             self.components[component].damped |= system.impulses(factor, aim);
             return;
@@ -574,6 +613,9 @@ fn rows_of(list: &[Placed]) -> Range<usize> {
 
 /// Stiffness of the joints of a mesh, as a share of the sub-step rate, and their damping ratio.
 const MESH: [Float; 2] = [0.25, 2.0];
+
+/// The least share of the push where contacts press: an error goes in some tens of sub-steps, without a jerk.
+const PRESSED_PUSH: Float = 0.1;
 
 /// Errors that a sub-step is to lessen by less than this \[m, rad\] are what is left of rounding and of motion.
 const STUBBORN: Float = 1e-4;

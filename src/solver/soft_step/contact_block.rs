@@ -529,9 +529,9 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Contac
         rows.scatter::<L>(&self.b, &b);
     }
 
-    /// One sweep: soft with push-out, or (`RELAX`) rigid without.
+    /// One sweep: soft with push-out, or (`RELAX`) rigid without; impulses of the `LAST` of a sub-step are summed up.
     #[inline(always)]
-    pub fn solve<const RELAX: bool>(&mut self, rows: &mut Rows, sub: &SubStep) {
+    pub fn solve<const RELAX: bool, const LAST: bool>(&mut self, rows: &mut Rows, sub: &SubStep) {
         let (mut a, mut b) = (rows.gather::<L>(&self.a), rows.gather::<L>(&self.b));
         let (n, zero, one) = (self.normal, L::zero(), L::splat(1.0));
 
@@ -549,7 +549,7 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Contac
         let stiffness = mass_scale * rate;
         let (inv_h, push_out) = (L::splat(sub.inv_h), -push_out);
 
-        self.friction.solve(n, self.offset, &self.points, &mut a, &mut b, RELAX);
+        self.friction.solve(n, self.offset, &self.points, &mut a, &mut b, LAST);
         let struck = self.impact.struck();
         let rounds = if P > 1 && struck.is_some_and(L::any) { IMPACT_SWEEPS } else { 1 };
         for round in 0..rounds {
@@ -586,7 +586,7 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Contac
                 }
                 let change = lambda - p.lambda;
                 p.lambda = lambda;
-                if RELAX {
+                if LAST {
                     p.total = p.total + if round == 0 { lambda } else { change };
                 }
                 let (pa, pb) = (change * a.inv_mass, change * b.inv_mass);

@@ -63,6 +63,8 @@ pub trait Kind: Send + Sync + std::fmt::Debug {
     fn solve(&mut self, range: Range<u32>, rows: &mut Rows, sub: &SubStep);
     /// The relax sweep.
     fn relax(&mut self, range: Range<u32>, rows: &mut Rows, sub: &SubStep);
+    /// A relax sweep before the last one.
+    fn relax_once_more(&mut self, range: Range<u32>, rows: &mut Rows, sub: &SubStep);
     /// Finds the impacts of this sub-step, before forces act.
     fn find_impacts(&mut self, range: Range<u32>, rows: &Rows, sub: &SubStep);
     /// Takes the impulses of impacts out of what is carried to the next sub-step.
@@ -140,13 +142,19 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Kind f
 
     fn solve(&mut self, range: Range<u32>, rows: &mut Rows, sub: &SubStep) {
         for block in &mut self.blocks[range.start as usize..range.end as usize] {
-            block.solve::<false>(rows, sub);
+            block.solve::<false, false>(rows, sub);
         }
     }
 
     fn relax(&mut self, range: Range<u32>, rows: &mut Rows, sub: &SubStep) {
         for block in &mut self.blocks[range.start as usize..range.end as usize] {
-            block.solve::<true>(rows, sub);
+            block.solve::<true, true>(rows, sub);
+        }
+    }
+
+    fn relax_once_more(&mut self, range: Range<u32>, rows: &mut Rows, sub: &SubStep) {
+        for block in &mut self.blocks[range.start as usize..range.end as usize] {
+            block.solve::<true, false>(rows, sub);
         }
     }
 

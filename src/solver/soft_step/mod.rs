@@ -63,9 +63,19 @@ fn sub_step(
     }
     joint_rows.solve(batch, rows, joints, sub);
     work.each_group(batch, &mut rows.rows, |kind, range, rows| kind.solve(range, rows, sub));
+    // Where joints and contacts hold the same bodies, each has its say twice: humans in a heap come to rest.
+    let twice = rows.batches[batch].mixed;
+    if twice {
+        joint_rows.again(batch, &mut rows.rows, joints::Aim::Bend);
+        work.each_group(batch, &mut rows.rows, |kind, range, rows| kind.solve(range, rows, sub));
+    }
     rows.keep_angular_momentum(batch, false);
     rows.move_bodies(batch, bodies, sub);
     joint_rows.relax(batch, rows, joints, sub);
+    if twice {
+        work.each_group(batch, &mut rows.rows, |kind, range, rows| kind.relax_once_more(range, rows, sub));
+        joint_rows.again(batch, &mut rows.rows, joints::Aim::Rest);
+    }
     work.each_group(batch, &mut rows.rows, |kind, range, rows| kind.relax(range, rows, sub));
     rows.carry_over(batch, bodies);
     work.each_group(batch, &mut rows.rows, |kind, range, rows| kind.end_impacts(range, rows));
