@@ -197,6 +197,7 @@ using WorldDef = Def<mvWorldDef, mvDefaultWorldDef>;
 using BodyDef = Def<mvBodyDef, mvDefaultBodyDef>;
 using ShapeDef = Def<mvShapeDef, mvDefaultShapeDef>;
 using HumanDef = Def<mvHumanDef, mvDefaultHumanDef>;
+using DebugDraw = Def<mvDebugDraw, mvDefaultDebugDraw>;
 using DistanceJointDef = Def<mvDistanceJointDef, mvDefaultDistanceJointDef>;
 using FilterJointDef = Def<mvFilterJointDef, mvDefaultFilterJointDef>;
 using GearJointDef = Def<mvGearJointDef, mvDefaultGearJointDef>;
@@ -1303,6 +1304,15 @@ struct ContactEvents {
     Span<const ContactHitEvent> hitEvents;
 };
 
+/// A drawing of a world; valid until the next one.
+struct DrawBuffers {
+    Span<const mvDrawLine> lines;
+    Span<const mvDrawTriangle> triangles;
+    Span<const mvDrawInstance> instances;
+    Span<const mvDrawPoint> points;
+    Span<const mvDrawString> strings;
+};
+
 namespace detail {
 
 /// Where a callable lives while the library may call it: an lvalue stays with its owner; a temporary is kept for the life
@@ -1394,6 +1404,20 @@ public:
         return {events.jointEvents, events.count};
     }
 
+    /// The world as it is now, drawn into arrays of the library.
+    DrawBuffers drawBuffers(const DebugDraw& draw = {}, std::uint64_t maskBits = MV_DEFAULT_MASK_BITS) const noexcept {
+        const mvDrawBuffers b = mvWorld_DrawBuffers(id(), &draw, maskBits);
+        return {{b.lines, b.lineCount},
+                {b.triangles, b.triangleCount},
+                {b.instances, b.instanceCount},
+                {b.points, b.pointCount},
+                {b.strings, b.stringCount}};
+    }
+    /// The same through the functions of `draw`.
+    void draw(const DebugDraw& draw, std::uint64_t maskBits = MV_DEFAULT_MASK_BITS) const noexcept {
+        mvWorld_Draw(id(), &draw, maskBits);
+    }
+
     /// Poses and velocities of all awake bodies at once, into arrays of that capacity or null; the number of bodies.
     int getAwakeBodies(mvBodyId* ids, WorldTransform* transforms, Vec3* linear, Vec3* angular, int capacity) const noexcept {
         return mvWorld_GetAwakeBodies(id(), ids, transforms, linear, angular, capacity);
@@ -1454,12 +1478,6 @@ public:
     }
     void setRestitutionCallback(std::nullptr_t) const noexcept { mvWorld_SetRestitutionCallback(id(), nullptr, nullptr); }
 
-    /// Draw a world as it is now.
-    void draw(const mvDebugDraw& draw, uint64_t maskBits) const noexcept { mvWorld_Draw(id(), &draw, maskBits); }
-    /// Draw a world as it is now, into arrays.
-    mvDrawBuffers drawBuffers(const mvDebugDraw& draw, uint64_t maskBits) const noexcept {
-        return mvWorld_DrawBuffers(id(), &draw, maskBits);
-    }
     /// Find the shapes whose boxes overlap a box, into an array.
     int overlapAABBAll(AABB aabb, QueryFilter filter, Span<mvShapeId> shapeIds) const noexcept {
         return mvWorld_OverlapAABBAll(id(), aabb, filter, shapeIds.data(), shapeIds.size());

@@ -38,6 +38,28 @@ static void events_are_spans() {
     CHECK(Body(ids[0]) == ball && transforms[0].p == ball.getPosition());
 }
 
+static void drawings_are_spans() {
+    World world;
+    dynamicBox(world, {1, 2, 3});
+    const DrawBuffers drawn = world.drawBuffers();
+    CHECK(drawn.instances.size() == 1 && drawn.triangles.empty() && !lastError());
+    const mvDrawInstance& box = drawn.instances[0];
+    CHECK(box.transform.p.x == 1 && box.transform.p.y == 2 && box.transform.p.z == 3);
+
+    DebugDraw nothing;
+    nothing.drawShapes = nothing.drawJoints = false;
+    CHECK(world.drawBuffers(nothing).instances.empty() && !lastError());
+
+    int boxes = 0;
+    DebugDraw counting;
+    counting.context = &boxes;
+    counting.DrawBoxFcn = [](const mvVec3*, const mvWorldTransform*, mvHexColor, void* count) {
+        ++*static_cast<int*>(count);
+    };
+    world.draw(counting);
+    CHECK(boxes == 1 && !lastError());
+}
+
 static void queries_call_lambdas() {
     World world;
     std::vector<Body> boxes;
@@ -186,6 +208,7 @@ static void gears_turn() {
 
 int main() {
     events_are_spans();
+    drawings_are_spans();
     queries_call_lambdas();
     callbacks_act();
     joints_of_every_kind();
