@@ -24,6 +24,7 @@ pub fn check(words: &[&str]) -> Outcome {
     let check = Check { lib: prefix.join(&options.libdir), double: options.double(), scratch, prefix };
     check.symbols()?;
     check.pkg_config()?;
+    check.golden_hash()?;
     check.beside_another_rust_library()?;
     check.cmake(words)?;
     println!("the installation is fine");
@@ -84,31 +85,48 @@ impl Check {
         output(Command::new(program).env("LD_LIBRARY_PATH", &self.lib)).map(|_| ())
     }
 
-    /// Examples by pkg-config: shared, and static with nothing shared at all.
+    /// All examples by pkg-config, and some with nothing shared at all.
     fn pkg_config(&self) -> Outcome {
-        for example in ["01_hello", "05_events", "08_joints"] {
-            let source = root().join("examples-c").join(example).with_extension("c");
-            for (kind, flags) in [
-                ("shared", self.flags(&["--cflags", "--libs"])?),
-                (
-                    "static",
-                    [vec!["-static".into()], self.flags(&["--static", "--cflags", "--libs"])?].concat(),
-                ),
-            ] {
-                let program = self.scratch.join(format!("{example}-{kind}"));
-                let mut cc = Command::new("cc");
-                cc.args(["-O1", "-Wall", "-Wextra"])
-                    .arg(&source)
-                    .arg("-o")
-                    .arg(&program)
-                    .args(flags)
-                    .arg("-lm");
-                run(&mut cc)?;
-                self.run(&program)?;
+        let shared = self.flags(&["--cflags", "--libs"])?;
+        let all = [vec!["-static".into()], self.flags(&["--static", "--cflags", "--libs"])?].concat();
+        let mut examples = std::fs::read_dir(root().join("examples-c"))?
+            .map(|entry| entry.map(|e| e.path()))
+            .collect::<Result<Vec<_>, _>>()?;
+        examples.retain(|path| path.extension().is_some_and(|e| e == "c"));
+        examples.sort();
+        for (k, source) in examples.iter().enumerate() {
+            self.example(source, "shared", &shared)?;
+            if k % 4 == 0 {
+                self.example(source, "static", &all)?;
             }
         }
-        println!("pkg-config: examples run, shared and fully static");
+        println!("pkg-config: {} examples run, some of them fully static, too", examples.len());
         Ok(())
+    }
+
+    /// The scene of one hash gives the hash that the tests hold the library to, whatever the profile.
+    fn golden_hash(&self) -> Outcome {
+        let folder = root().join("bindings/same_hash");
+        let known = fs::read_to_string(folder.join("golden.txt"))?;
+        let mine = if self.double { "f64 " } else { "f32 " };
+        let golden =
+            known.lines().find_map(|line| line.strip_prefix(mine)).ok_or("golden.txt lacks a line")?;
+        let flags = self.flags(&["--cflags", "--libs"])?;
+        let hash = self.example(&folder.join("same_hash.c"), "shared", &flags)?;
+        match hash.trim() == golden {
+            true => Ok(println!("the scene of one hash: {golden}")),
+            false => Err(format!("the scene of one hash gives {}, not {golden}", hash.trim()).into()),
+        }
+    }
+
+    /// Builds an example and runs it; what it prints.
+    fn example(&self, source: &Path, kind: &str, flags: &[String]) -> Outcome<String> {
+        let name = source.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let program = self.scratch.join(format!("{name}-{kind}"));
+        let mut cc = Command::new("cc");
+        cc.args(["-O1", "-Wall", "-Wextra"]).arg(source).arg("-o").arg(&program).args(flags).arg("-lm");
+        run(&mut cc)?;
+        output(Command::new(program).env("LD_LIBRARY_PATH", &self.lib))
     }
 
     /// Two Rust static libraries in one program, in both orders; panics of both are caught where they should be.
