@@ -1,6 +1,7 @@
 //! What the solver knows of a body: a row of 64 bytes (f32) that every constraint gathers, a row of world
 //! inverse inertia, and a slower part that only the passes over bodies touch.
 
+use crate::math::scalar::double;
 use crate::math::{Float, Mat3, Quat, Vec3, rotate, rotate_back, rotation_matrix, vec3};
 use crate::simd::{Lane, Quad, Sym3, V3};
 
@@ -94,6 +95,15 @@ impl InertiaRow {
     pub fn times(&self, v: Vec3) -> Vec3 {
         let [[xx, xy, xz, yy], [yz, zz, ..]] = self.0;
         vec3(xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z, xz * v.x + yz * v.y + zz * v.z)
+    }
+}
+
+impl InertiaRow {
+    /// I_w⁻¹ v in double precision.
+    pub fn exact_times(&self, v: Vec3) -> [f64; 3] {
+        let [[xx, xy, xz, yy], [yz, zz, ..]] = self.0.map(|quad| quad.map(double));
+        let [x, y, z] = [double(v.x), double(v.y), double(v.z)];
+        [xx * x + xy * y + xz * z, xy * x + yy * y + yz * z, xz * x + yz * y + zz * z]
     }
 }
 

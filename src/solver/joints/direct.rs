@@ -250,7 +250,7 @@ fn assemble(
             }
             w[at + r * d + r] = w[at + r * d + r] * (1.0 + damping) + row.compliance();
             size[start + r] = w[at + r * d + r];
-            least[start + r] = row.least_share(rows) + row.compliance();
+            least[start + r] = row.least_share(placed.arm, rows) + row.compliance();
         }
     }
     for (k, l, at) in plan.blocks() {

@@ -9,18 +9,17 @@
 //! rounding. Such a pivot is put back to the size it had before elimination, which keeps the redundant impulse where
 //! it is and leaves the others right.
 
-use crate::math::Float;
-
 /// A plan is made only if a factorization takes at most so many multiplications for each joint, and in all.
 const MOST_PER_JOINT: u64 = 12_000;
 const MOST: u64 = 400_000;
 
-/// Below this share of its least part before elimination a pivot belongs to a row that others have made redundant.
-/// Loops of hinges have one such row or more each: taken at their word they would push with thousands of newtons.
-const REDUNDANT: f64 = 1e-3;
+/// Below this share of its least part before elimination a pivot belongs to a row that others have made redundant, or soon
+/// will (bars that come to lie in one line): taken at its word it would push with thousands of newtons against what
+/// rounding left of its error.
+const REDUNDANT: f64 = 2e-3;
 
 /// Below this share of itself before elimination a pivot is what rounding left.
-const ROUNDING: f64 = 16.0 * (if size_of::<Float>() == 4 { f32::EPSILON as f64 } else { f64::EPSILON });
+const ROUNDING: f64 = 1e-12;
 
 /// What is known from the topology alone.
 #[derive(Clone, Debug, Default)]
@@ -155,8 +154,7 @@ impl Elimination {
     }
 
     /// Factors W in place: its lower blocks stand in `w` (rows of the later position first), its diagonal in `size`, and in
-    /// `least` the part of that which the least mobile body has: what is left of a pivot is never less, unless the row
-    /// is redundant.
+    /// `least` about what is left of that at least, unless the row is redundant.
     pub fn factor(&self, w: &mut [f64], size: &[f64], least: &[f64]) {
         for i in 0..self.order.len() {
             let d = self.dim[i];

@@ -36,6 +36,8 @@ pub struct SolverRow {
     sides: [Side; 2],
     /// I_w⁻¹ times their angular parts.
     turn: [Vec3; 2],
+    /// The same in double precision, for W: what single precision rounds off would make redundant rows look free.
+    exact_turn: [[f64; 3]; 2],
     /// Of two bodies more.
     more: Option<[Side; 2]>,
     law: Law,
@@ -98,6 +100,7 @@ impl SolverRow {
             bodies,
             sides: draft.sides,
             turn: [Vec3::zeros(); 2],
+            exact_turn: [[0.0; 3]; 2],
             more: draft.more,
             law,
             unbounded: law.is_unbounded(),
@@ -129,7 +132,9 @@ impl SolverRow {
     /// Takes how its bodies yield.
     pub fn weigh(&mut self, rows: &Rows) {
         for k in 0..2 {
-            self.turn[k] = rows.inertia[self.bodies[k] as usize].times(self.sides[k].angular);
+            let inertia = &rows.inertia[self.bodies[k] as usize];
+            self.turn[k] = inertia.times(self.sides[k].angular);
+            self.exact_turn[k] = inertia.exact_times(self.sides[k].angular);
         }
         let k = single(self.coupling(self, rows));
         self.mass = if k > 0.0 { 1.0 / k } else { 0.0 };
@@ -282,23 +287,32 @@ impl SolverRow {
                     continue;
                 }
                 let turn = if other.more.is_none() && other.bodies[0] != 0 && k < 2 {
-                    other.turn[k]
+                    other.exact_turn[k]
                 } else {
-                    rows.inertia[b].times(there.angular)
+                    rows.inertia[b].exact_times(there.angular)
                 };
-                let linear = side.linear.dot(&there.linear) * rows.row[b].inv_mass();
-                sum += double(linear) + double(side.angular.dot(&turn));
+                let linear = exact_dot(side.linear, there.linear.map(double).into());
+                sum += linear * double(rows.row[b].inv_mass()) + exact_dot(side.angular, turn);
             }
         }
         sum
     }
 
-    /// The least part that one of the bodies has in the row's own element of W.
-    pub fn least_share(&self, rows: &Rows) -> f64 {
-        self.parts().fold(f64::INFINITY, |least, (b, side)| {
-            let turn = rows.inertia[b].times(side.angular);
-            let linear = double(side.linear.dot(&side.linear) * rows.row[b].inv_mass());
-            let share = linear + double(side.angular.dot(&turn));
+    /// About what is left of the row's own element of W, at least, when other rows hold its bodies without making it
+    /// redundant: the body yields along with all its mass, and turns about its joint, `arms` from its centre, instead of
+    /// about itself.
+    pub fn least_share(&self, arms: [Vec3; 2], rows: &Rows) -> f64 {
+        let arms = arms.into_iter().chain([Vec3::zeros(); 2]);
+        let sides = self.sides.iter().chain(self.more.iter().flatten());
+        let parts = self.bodies.iter().zip(sides).zip(arms).filter(|((b, _), _)| **b != 0);
+        parts.fold(f64::INFINITY, |least, ((&b, side), arm)| {
+            let b = b as usize;
+            let inv_mass = rows.row[b].inv_mass();
+            let linear = side.linear.dot(&side.linear) * inv_mass;
+            let moment = rows.aux[b].moments.max();
+            let orbit = if inv_mass > 0.0 { arm.dot(&arm) / inv_mass } else { 0.0 };
+            let angular = if moment > 0.0 { side.angular.dot(&side.angular) / (moment + orbit) } else { 0.0 };
+            let share = double(if linear > 0.0 { linear } else { angular });
             if share > 0.0 { least.min(share) } else { least }
         })
     }
@@ -357,6 +371,11 @@ impl SolverRow {
         *total += p;
         *angular += self.sides[1].angular * impulse - arm_b.cross(&p);
     }
+}
+
+/// Of two vectors, the first exact in single precision.
+fn exact_dot(a: Vec3, b: [f64; 3]) -> f64 {
+    double(a.x) * b[0] + double(a.y) * b[1] + double(a.z) * b[2]
 }
 
 /// Solves the unbounded rows of one joint as a block.
