@@ -1,5 +1,6 @@
 use super::bvh::{PairFinder, Tree};
 use super::slab::Sweep;
+use super::structure::sort_pairs;
 use super::{BroadPhase, BroadPhaseStats, Layer};
 use crate::math::{Aabb, Float, Vec3};
 
@@ -78,7 +79,7 @@ impl BroadPhase for DynamicBvh {
             self.finder.each(still, moving, out);
         }
         moved.iter().for_each(|&proxy| self.tree_of(proxy).unmark_moved(proxy));
-        out.sort_unstable();
+        sort_pairs(out);
     }
 
     fn query(&self, aabb: &Aabb, visit: &mut dyn FnMut(u32) -> bool) {

@@ -3,7 +3,7 @@
 use super::Settings;
 use super::rows::{Aux, InertiaRow, Row, Rows};
 use crate::body::{BodySet, BodyStore, NONE, SetId};
-use crate::constraint::{ContactStore, contact::flags};
+use crate::constraint::{ContactStore, JointStore, contact::flags};
 use crate::integrate::IntegratorKind;
 use crate::island::IslandStore;
 use crate::math::{Float, Quat, Vec3, length};
@@ -69,7 +69,13 @@ pub struct Bodies {
 
 impl Bodies {
     /// Finds the awake islands and counts their constraints.
-    pub fn gather(&mut self, bodies: &BodyStore, contacts: &ContactStore, islands: &IslandStore) {
+    pub fn gather(
+        &mut self,
+        bodies: &BodyStore,
+        contacts: &ContactStore,
+        joints: &JointStore,
+        islands: &IslandStore,
+    ) {
         self.islands.clear();
         self.place_of.clear();
         self.place_of.resize(islands.islands.len(), NONE);
@@ -88,7 +94,9 @@ impl Bodies {
                 self.constraints += 1;
             }
         }
-        self.put_mixed_last(bodies, islands);
+        if !joints.live.is_empty() {
+            self.put_mixed_last(bodies, islands);
+        }
     }
 
     /// No island's result may depend on which others share its batch, so those that are swept twice have their own.

@@ -243,7 +243,7 @@ impl Work {
         islands: &mut IslandStore,
         settings: &Settings,
     ) {
-        self.bodies.gather(bodies, contacts, islands);
+        self.bodies.gather(bodies, contacts, joints, islands);
         self.report.begin_step(settings.solver);
         let Self { bodies: rows, joints: joint_rows, soft_step, points, .. } = self;
         match settings.solver.resolved() {

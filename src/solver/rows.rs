@@ -96,9 +96,7 @@ impl InertiaRow {
         let [[xx, xy, xz, yy], [yz, zz, ..]] = self.0;
         vec3(xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z, xz * v.x + yz * v.y + zz * v.z)
     }
-}
 
-impl InertiaRow {
     /// I_w⁻¹ v in double precision.
     pub fn exact_times(&self, v: Vec3) -> [f64; 3] {
         let [[xx, xy, xz, yy], [yz, zz, ..]] = self.0.map(|quad| quad.map(double));

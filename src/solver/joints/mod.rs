@@ -81,9 +81,7 @@ struct Component {
     members: Range<usize>,
     /// Whether its joints contradicted each other in this sub-step.
     damped: bool,
-    /// Whether it has contacts.
-    touched: bool,
-    /// Whose scratch it uses: one that has contacts keeps its factor for the next round.
+    /// Whose scratch it uses: one that has contacts keeps its factor for the next round, in one of its own; 0 for others.
     scratch: usize,
 }
 
@@ -190,8 +188,7 @@ impl Workspace {
             let mut next = 1;
             for component in &mut self.components[batch.clone()] {
                 let mut members = self.members[component.members.clone()].iter();
-                component.touched = members.any(|&m| bodies.rows.aux[m as usize].touched);
-                if component.planned && component.touched {
+                if component.planned && members.any(|&m| bodies.rows.aux[m as usize].touched) {
                     component.scratch = next;
                     next += 1;
                 }
@@ -306,7 +303,6 @@ impl Workspace {
             colors: first_color..self.balls.color_count(),
             members: first_member..first_member + kept,
             damped: false,
-            touched: false,
             scratch: 0,
         });
     }
@@ -445,7 +441,7 @@ impl Workspace {
     /// Once more what the last pass was after, where contacts have changed velocities since then.
     pub fn again(&mut self, batch: usize, rows: &mut Rows, aim: Aim) {
         for c in self.batches[batch].clone() {
-            if self.components[c].planned && self.components[c].touched {
+            if self.components[c].scratch != 0 {
                 self.note_velocities(c, rows);
                 self.impulses(c, rows, false, aim);
                 self.note_momenta(c, rows);

@@ -61,10 +61,8 @@ pub trait Kind: Send + Sync + std::fmt::Debug {
     fn warm_start(&self, range: Range<u32>, rows: &mut Rows);
     /// The soft sweep.
     fn solve(&mut self, range: Range<u32>, rows: &mut Rows, sub: &SubStep);
-    /// The relax sweep.
-    fn relax(&mut self, range: Range<u32>, rows: &mut Rows, sub: &SubStep);
-    /// A relax sweep before the last one.
-    fn relax_once_more(&mut self, range: Range<u32>, rows: &mut Rows, sub: &SubStep);
+    /// A relax sweep, the last of the sub-step or one before.
+    fn relax(&mut self, range: Range<u32>, rows: &mut Rows, sub: &SubStep, last: bool);
     /// Finds the impacts of this sub-step, before forces act.
     fn find_impacts(&mut self, range: Range<u32>, rows: &Rows, sub: &SubStep);
     /// Takes the impulses of impacts out of what is carried to the next sub-step.
@@ -146,15 +144,13 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Kind f
         }
     }
 
-    fn relax(&mut self, range: Range<u32>, rows: &mut Rows, sub: &SubStep) {
+    fn relax(&mut self, range: Range<u32>, rows: &mut Rows, sub: &SubStep, last: bool) {
         for block in &mut self.blocks[range.start as usize..range.end as usize] {
-            block.solve::<true, true>(rows, sub);
-        }
-    }
-
-    fn relax_once_more(&mut self, range: Range<u32>, rows: &mut Rows, sub: &SubStep) {
-        for block in &mut self.blocks[range.start as usize..range.end as usize] {
-            block.solve::<true, false>(rows, sub);
+            if last {
+                block.solve::<true, true>(rows, sub);
+            } else {
+                block.solve::<true, false>(rows, sub);
+            }
         }
     }
 

@@ -1,4 +1,5 @@
-//! Soft step: n sub-steps, each with one soft sweep over the rows and one relax sweep without push-out.
+//! Soft step: n sub-steps, each with one soft sweep over the rows and one relax sweep without push-out; where an island
+//! has both joints and contacts, two of each.
 //!
 //! Bodies of one batch of islands lie next to each other and go through all sub-steps before the next batch
 //! begins, so small islands stay in the cache. From the second sub-step on warm starting is a pass over bodies:
@@ -73,10 +74,10 @@ fn sub_step(
     rows.move_bodies(batch, bodies, sub);
     joint_rows.relax(batch, rows, joints, sub);
     if twice {
-        work.each_group(batch, &mut rows.rows, |kind, range, rows| kind.relax_once_more(range, rows, sub));
+        work.each_group(batch, &mut rows.rows, |kind, range, rows| kind.relax(range, rows, sub, false));
         joint_rows.again(batch, &mut rows.rows, joints::Aim::Rest);
     }
-    work.each_group(batch, &mut rows.rows, |kind, range, rows| kind.relax(range, rows, sub));
+    work.each_group(batch, &mut rows.rows, |kind, range, rows| kind.relax(range, rows, sub, true));
     rows.carry_over(batch, bodies);
     work.each_group(batch, &mut rows.rows, |kind, range, rows| kind.end_impacts(range, rows));
     rows.keep_angular_momentum(batch, true);
