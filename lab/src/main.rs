@@ -21,6 +21,7 @@ mod tour;
 mod vector;
 
 use clap::{Parser, Subcommand};
+use measure::workers::Worker;
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -113,7 +114,7 @@ enum Command {
 }
 
 /// What the commands that measure are told.
-#[derive(clap::Args)]
+#[derive(clap::Args, Default)]
 struct Files {
     /// Little of everything, in a few minutes.
     #[arg(long)]
@@ -130,6 +131,15 @@ struct Files {
     /// Only scenes whose name has this in it.
     #[arg(long)]
     only: Option<String>,
+    /// In how many processes, each on a core of its own; by default one a core.
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..))]
+    jobs: Option<u16>,
+    /// This is one of those processes; the core it stays on.
+    #[arg(long, hide = true)]
+    worker: Option<usize>,
+    /// The command goes on where an earlier one had stopped.
+    #[arg(long, hide = true)]
+    resumed: bool,
 }
 
 impl Files {
@@ -138,12 +148,19 @@ impl Files {
             return Err(NO_PEERS.into());
         }
         let directory = self.out.unwrap_or_else(|| PathBuf::from("target/lab"));
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        let worker = self.worker.map(|core| Worker { core, resumed: self.resumed });
+        if let Some(worker) = worker {
+            measure::workers::stay_on(worker.core);
+        }
         Ok(measure::Options {
             directory,
             quick: self.quick,
             fresh: self.fresh,
             peers: self.peers,
             only: self.only,
+            jobs: self.jobs.map_or(cores, usize::from),
+            worker,
         })
     }
 }
@@ -178,7 +195,7 @@ fn run(arguments: Arguments) -> Result<String, String> {
         Some(Command::Chart { files }) => shown(files, measure::chart::run, show::charts),
         Some(Command::Stability { files }) => shown(files, measure::stability::run, show::stability),
         Some(Command::Race { scene: None, quick, fresh, peers, out, .. }) => {
-            shown(Files { quick, out, peers, fresh, only: None }, measure::race::run, show::race)
+            shown(Files { quick, out, peers, fresh, ..Files::default() }, measure::race::run, show::race)
         }
         Some(Command::Race { scene: Some(scene), peers, steps, repeats, stages, out, .. }) => {
             if peers && !engines::has_peers() {
@@ -222,6 +239,9 @@ fn shown(
 ) -> Result<String, String> {
     let options = files.options()?;
     let text = measure(&options)?;
+    if options.worker.is_some() {
+        return Ok(text);
+    }
     draw(&options.directory)?;
     show::report(&options.directory)?;
     Ok(format!("{text}\n{}\n", options.directory.join("report.html").display()))

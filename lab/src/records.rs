@@ -18,6 +18,8 @@ pub enum Outcome {
     Exploded,
     /// A body came through something.
     Tunnelled,
+    /// The engine took its whole process down.
+    Crashed,
     /// It took more time than a run is given.
     Timeout,
     /// The engine has not what the scene needs, or does not take the setting.
@@ -32,6 +34,7 @@ impl Outcome {
             Self::Nan => "nan",
             Self::Exploded => "exploded",
             Self::Tunnelled => "tunnelled",
+            Self::Crashed => "crashed",
             Self::Timeout => "timeout",
             Self::Refused => "refused",
         }
@@ -297,6 +300,21 @@ impl<T: Record> Log<T> {
     /// Whether rows of an earlier command were there.
     pub fn is_resumed(&self) -> bool {
         self.found > 0
+    }
+
+    /// Writes the rows anew in the order of `rank`, which processes that append by turns have not kept.
+    ///
+    /// # Errors
+    /// What the file system says.
+    pub fn sort_by_key<K: Ord>(&mut self, rank: impl FnMut(&T) -> K) -> Result<(), String> {
+        self.rows.sort_by_cached_key(rank);
+        let fail = |e: &dyn std::fmt::Display| format!("{} is not written: {e}", self.path.display());
+        let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+        writer.write_record(T::COLUMNS).map_err(|e| fail(&e))?;
+        for row in &self.rows {
+            writer.serialize(row).map_err(|e| fail(&e))?;
+        }
+        fs::write(&self.path, writer.into_inner().map_err(|e| fail(&e))?).map_err(|e| fail(&e))
     }
 
     /// Appends a row, unless its measurement is there already.

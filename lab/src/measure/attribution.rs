@@ -10,11 +10,15 @@
 //!
 //! The third and the fourth share the law: their difference is what sweeps leave unsolved.
 
+use super::workers::Claims;
 use super::{Options, ladder, try_case};
 use crate::case::{Case, Trial};
 use crate::engines::{self, Method, Setting};
 use crate::records::{Attribution, Log, Record, WorkPrecision};
 use crate::table::Table;
+
+/// In the order of the table.
+const SOURCES: [&str; 5] = ["total", "integrator", "contact_law", "solver", "geometry"];
 
 /// The sources, the methods that make them exact, and the sweeps.
 fn sources() -> [(&'static str, Method, u32); 4] {
@@ -27,61 +31,68 @@ fn sources() -> [(&'static str, Method, u32); 4] {
     ]
 }
 
-/// Measures what is not there yet; merev only, the peers have no such switches.
+/// Measures what is not there yet; merev only, the peers have no such switches. `first` is the number of its first unit.
 ///
 /// # Errors
 /// What the file system says.
-pub fn run(options: &Options, cases: &[Case], rows: &[WorkPrecision]) -> Result<String, String> {
+pub fn measure(options: &Options, cases: &[Case], claims: Option<&Claims>, first: usize) -> Result<(), String> {
     let mut log = Log::<Attribution>::open(&options.directory, options.fresh)?;
     let maker = engines::ALL[0];
-    let bar = crate::progress::bar(cases.len() as u64, "attribution");
-    for case in cases.iter().filter(|c| matches!(c.trial, Trial::Run(..))) {
-        bar.inc(1);
+    for (k, case) in cases.iter().enumerate().filter(|(_, c)| matches!(c.trial, Trial::Run(..))) {
+        if claims.is_some_and(|c| !c.take(first + k)) {
+            continue;
+        }
         for (source, method, iterations) in sources() {
-            let new = |error| Attribution {
-                scene: case.name.into(),
-                engine: maker.key.into(),
-                source: source.into(),
-                error,
-            };
-            if log.contains(&new(0.0).key()) {
+            let row = |error| row(case, source, error);
+            if log.contains(&row(0.0).key()) {
                 continue;
             }
             let setting = Setting { iterations, ..ladder::default_setting() };
             let result = try_case(case, &maker, &method, &setting, false, options.budget());
             if let Some(error) = result.error {
-                log.push(new(error))?;
+                log.push(row(error))?;
             }
         }
-        let name = engines::merev::methods()[0].name();
+    }
+    Ok(())
+}
+
+fn row(case: &Case, source: &str, error: f64) -> Attribution {
+    Attribution { scene: case.name.into(), engine: engines::ALL[0].key.into(), source: source.into(), error }
+}
+
+/// Adds what runs in double precision say, and puts the rows in order.
+///
+/// # Errors
+/// What the file system says.
+pub fn finish(options: &Options, cases: &[Case], rows: &[WorkPrecision]) -> Result<String, String> {
+    let mut log = Log::<Attribution>::open(&options.directory, false)?;
+    let method = engines::merev::methods()[0].name();
+    for case in cases.iter().filter(|c| matches!(c.trial, Trial::Run(..))) {
         let double = rows.iter().find(|r| {
             r.scene == case.name
-                && r.engine == maker.key
-                && r.method == name
+                && r.engine == engines::ALL[0].key
+                && r.method == method
                 && r.precision == "f64"
                 && r.is_default == 1
                 && r.turned == 0
         });
         if let Some(error) = double.and_then(|r| r.error) {
-            log.push(Attribution {
-                scene: case.name.into(),
-                engine: maker.key.into(),
-                source: "geometry".into(),
-                error,
-            })?;
+            log.push(row(case, "geometry", error))?;
         }
     }
-    bar.finish_and_clear();
+    let place = |r: &Attribution| cases.iter().position(|c| c.name == r.scene).unwrap_or(usize::MAX);
+    let source = |r: &Attribution| SOURCES.iter().position(|s| *s == r.source);
+    log.sort_by_key(|r| (place(r), source(r)))?;
     Ok(table(log.rows()))
 }
 
 fn table(rows: &[Attribution]) -> String {
-    let names = ["total", "integrator", "contact_law", "solver", "geometry"];
-    let mut table = Table::new(&[&["what remains without"][..], &names].concat());
+    let mut table = Table::new(&[&["what remains without"][..], &SOURCES].concat());
     let mut scenes: Vec<&str> = rows.iter().map(|r| r.scene.as_str()).collect();
     scenes.dedup();
     for scene in scenes {
-        let cells = names.map(|source| {
+        let cells = SOURCES.map(|source| {
             let found = rows.iter().find(|r| r.scene == scene && r.source == source);
             found.map_or(String::new(), |r| format!("{:.1e}", r.error))
         });

@@ -1,12 +1,15 @@
 //! Work against precision: every case on every method with every setting of its ladder.
 
+use super::workers::{self, Claims};
 use super::{Options, attribution, checks, cost, ladder, meta, tells, timed_scene, try_case};
 use crate::case::{Case, Trial};
 use crate::engines::{Maker, Method, Setting};
 use crate::progress;
-use crate::records::{Log, Outcome, Record, SceneRow, Secondary, WorkPrecision};
+use crate::records::{Attribution, Log, Outcome, Record, SceneRow, Secondary, WorkPrecision};
 use crate::scenes;
 use crate::table::{Table, milliseconds};
+use indicatif::ProgressBar;
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 /// A point to be measured.
@@ -38,6 +41,20 @@ impl Point<'_> {
             cost_ms: None,
             resumed: 0,
         }
+    }
+
+    /// Fills in outcome, error and cost; gives further measures.
+    fn measure(&self, options: &Options, row: &mut WorkPrecision) -> Vec<(&'static str, f64)> {
+        let Self { case, maker, method, setting, turned, .. } = self;
+        let result = try_case(case, maker, method, setting, *turned, options.budget());
+        (row.outcome, row.error) = (result.outcome, result.error);
+        let in_time = !matches!(result.outcome, Outcome::Timeout | Outcome::Refused);
+        if in_time && let Some(scene) = timed_scene(case) {
+            let budget = Duration::from_secs_f64(if options.quick { 0.04 } else { 0.25 });
+            let whole = if *turned { scene.turned(crate::case::TURN) } else { scene };
+            row.cost_ms = cost(maker, &whole, method, setting, case.duration, budget);
+        }
+        result.more
     }
 
     /// Whether this one is at least as hard on the same method as another that took too long.
@@ -79,49 +96,103 @@ fn points<'a>(cases: &'a [Case], options: &Options) -> Vec<Point<'a>> {
 /// # Errors
 /// What the file system says.
 pub fn run(options: &Options) -> Result<String, String> {
-    let mut log = Log::<WorkPrecision>::open(&options.directory, options.fresh)?;
-    let mut more = Log::<Secondary>::open(&options.directory, options.fresh)?;
-    meta::write(options, "chart")?;
     let cases: Vec<Case> = scenes::cases().into_iter().filter(|c| options.wants(c.name)).collect();
+    let points = points(&cases, options);
+    if let Some(worker) = options.worker {
+        return measure(options, &cases, &points, worker.resumed, &ProgressBar::hidden());
+    }
+    let log = Log::<WorkPrecision>::open(&options.directory, options.fresh)?;
+    Log::<Secondary>::open(&options.directory, options.fresh)?;
+    Log::<Attribution>::open(&options.directory, options.fresh)?;
+    meta::write(options, "chart")?;
     write_scenes(&cases, options)?;
     let checks = checks::run(options)?;
-    let points = points(&cases, options);
     let bar = progress::bar(points.len() as u64, "chart");
-    let resumed = u8::from(log.is_resumed());
-    let mut slow: Option<&Point> = None;
-    for point in &points {
-        bar.inc(1);
-        let mut row = WorkPrecision { resumed, ..point.row() };
-        if log.contains(&row.key()) {
-            continue;
-        }
-        bar.set_message(point.case.name);
-        if slow.is_some_and(|s| point.is_beyond(s)) {
-            row.outcome = Outcome::Timeout;
-            log.push(row)?;
-            continue;
-        }
-        let Point { case, maker, method, setting, turned, .. } = point;
-        let result = try_case(case, maker, method, setting, *turned, options.budget());
-        (row.outcome, row.error) = (result.outcome, result.error);
-        if result.outcome == Outcome::Timeout {
-            slow = Some(point);
-        }
-        let in_time = !matches!(result.outcome, Outcome::Timeout | Outcome::Refused);
-        if in_time && let Some(scene) = timed_scene(case) {
-            let budget = Duration::from_secs_f64(if options.quick { 0.04 } else { 0.25 });
-            let whole = if *turned { scene.turned(crate::case::TURN) } else { scene };
-            row.cost_ms = cost(maker, &whole, method, setting, case.duration, budget);
-        }
-        for &(metric, value) in &result.more {
-            more.push(secondary(&row, metric, value))?;
-        }
-        log.push(row)?;
+    if options.jobs > 1 {
+        let path = options.directory.join(WorkPrecision::FILE);
+        let before = log.rows().len() as u64;
+        let done = || workers::count(&path) - before;
+        workers::run(options, "chart", log.is_resumed(), &bar, &done, &mut |key| crashed(options, &points, key))?;
+    } else {
+        measure(options, &cases, &points, log.is_resumed(), &bar)?;
     }
     bar.finish_and_clear();
-    let attribution = attribution::run(options, &cases, log.rows())?;
-    let text = format!("{}\n{checks}\n{attribution}", summary(&cases, options, log.rows()));
-    Ok(text)
+    let log = in_order(options, &points)?;
+    let attribution = attribution::finish(options, &cases, log.rows())?;
+    Ok(format!("{}\n{checks}\n{attribution}", summary(&cases, options, log.rows())))
+}
+
+/// Takes case after case on method after method until all are taken.
+fn measure(
+    options: &Options,
+    cases: &[Case],
+    points: &[Point],
+    resumed: bool,
+    bar: &ProgressBar,
+) -> Result<String, String> {
+    let options = &Options { fresh: false, ..options.clone() };
+    let mut log = Log::<WorkPrecision>::open(&options.directory, false)?;
+    let mut more = Log::<Secondary>::open(&options.directory, false)?;
+    let claims = Claims::shared(options);
+    let together = |a: &Point, b: &Point| {
+        a.case.name == b.case.name && a.maker.key == b.maker.key && a.method == b.method
+    };
+    let mut units = 0;
+    for (unit, points) in points.chunk_by(together).enumerate() {
+        units = unit + 1;
+        bar.inc(points.len() as u64);
+        if claims.as_ref().is_some_and(|c| !c.take(unit)) {
+            continue;
+        }
+        let mut slow: Option<&Point> = None;
+        for point in points {
+            let mut row = WorkPrecision { resumed: resumed.into(), ..point.row() };
+            if log.contains(&row.key()) {
+                continue;
+            }
+            bar.set_message(point.case.name);
+            if let Some(claims) = &claims {
+                claims.note(unit, &row.key());
+            }
+            if slow.is_some_and(|s| point.is_beyond(s)) {
+                row.outcome = Outcome::Timeout;
+                log.push(row)?;
+                continue;
+            }
+            let further = point.measure(options, &mut row);
+            if row.outcome == Outcome::Timeout {
+                slow = Some(point);
+            }
+            for (metric, value) in further {
+                more.push(secondary(&row, metric, value))?;
+            }
+            log.push(row)?;
+        }
+    }
+    attribution::measure(options, cases, claims.as_ref(), units)?;
+    Ok(String::new())
+}
+
+/// Records that an engine took its process down.
+fn crashed(options: &Options, points: &[Point], key: &str) -> Result<(), String> {
+    let point = points.iter().find(|p| p.row().key() == key).ok_or(format!("a worker died at {key}"))?;
+    let mut log = Log::<WorkPrecision>::open(&options.directory, false)?;
+    log.push(WorkPrecision { outcome: Outcome::Crashed, ..point.row() })
+}
+
+/// The files in the order of the points, whoever has measured them.
+fn in_order(options: &Options, points: &[Point]) -> Result<Log<WorkPrecision>, String> {
+    let keys: BTreeMap<String, usize> =
+        points.iter().enumerate().map(|(k, point)| (point.row().key(), k)).collect();
+    let rank = |key: &str| keys.get(key).copied().unwrap_or(usize::MAX);
+    let mut log = Log::<WorkPrecision>::open(&options.directory, false)?;
+    log.sort_by_key(|row| rank(&row.key()))?;
+    let mut more = Log::<Secondary>::open(&options.directory, false)?;
+    more.sort_by_key(|row| {
+        let key = row.key();
+        (rank(key.rsplit_once('|').map_or("", |(point, _)| point)), key)
+    })?;
+    Ok(log)
 }
 
 fn secondary(row: &WorkPrecision, metric: &str, value: f64) -> Secondary {

@@ -7,6 +7,7 @@ mod ladder;
 pub mod meta;
 pub mod race;
 pub mod stability;
+pub mod workers;
 
 use crate::case::{self, TURN, Track, Trial};
 use crate::engines::{Engine, Maker, Method, Motion, Setting};
@@ -30,6 +31,10 @@ pub struct Options {
     pub peers: bool,
     /// Only cases and scenes whose name has this in it.
     pub only: Option<String>,
+    /// In how many processes.
+    pub jobs: usize,
+    /// This process is one of them.
+    pub worker: Option<workers::Worker>,
 }
 
 impl Options {
@@ -129,7 +134,7 @@ pub fn run(
     let mut motions = Vec::new();
     runner.engine.motions(&mut motions);
     keep(&mut track, 0, &motions);
-    let start = Instant::now();
+    let start = ThreadTime::now();
     for k in 0..steps {
         runner.step(k);
         if (k + 1) % stride == 0 || k + 1 == steps {
@@ -215,7 +220,7 @@ pub fn try_case(
         },
         Trial::Threshold(threshold) => {
             let mut ended = Outcome::Ok;
-            let begin = Instant::now();
+            let begin = ThreadTime::now();
             let found = case::bisect(threshold, |value| {
                 let scene = (threshold.scene)(value);
                 let left = (4 * budget).checked_sub(begin.elapsed()).unwrap_or_default();

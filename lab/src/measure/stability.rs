@@ -1,5 +1,6 @@
 //! Where methods fail: the hardest value of a stressor that a method survives, by bisection.
 
+use super::workers::{self, Claims};
 use super::{Options, ladder, meta, run as run_scene};
 use crate::case::Track;
 use crate::engines::{Maker, Method, Setting};
@@ -10,6 +11,9 @@ use crate::scene::{Body, Form, Scene};
 use crate::scenes::{group_c, group_d, group_e, group_f_j};
 use crate::table::Table;
 use crate::vector::{norm, sub};
+use indicatif::ProgressBar;
+use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// Something that is made harder until a method fails.
 struct Stressor {
@@ -227,46 +231,98 @@ fn search(
     (Some(low), Some(failed), how)
 }
 
+/// What is searched for: a stressor on a method.
+struct Search {
+    stressor: Rc<Stressor>,
+    maker: Maker,
+    method: Method,
+}
+
+impl Search {
+    fn row(&self) -> Stability {
+        Stability {
+            scene: self.stressor.scene.into(),
+            engine: self.maker.key.into(),
+            method: self.method.name(),
+            stressor: self.stressor.name.into(),
+            unit: self.stressor.unit.into(),
+            harder: "larger".into(),
+            survived: None,
+            failed: None,
+            outcome: Outcome::Ok,
+        }
+    }
+}
+
+/// Everything there is to search for, in order.
+fn searches(options: &Options) -> Vec<Search> {
+    let mut all = Vec::new();
+    for stressor in stressors().into_iter().filter(|s| options.wants(s.scene)) {
+        let stressor = Rc::new(stressor);
+        for maker in options.makers().into_iter().filter(|m| m.key != "merev_c") {
+            for method in (maker.methods)().into_iter().filter(|m| (stressor.tells)(m)) {
+                all.push(Search { stressor: stressor.clone(), maker, method });
+            }
+        }
+    }
+    all
+}
+
 /// Searches what is not there yet.
 ///
 /// # Errors
 /// What the file system says.
 pub fn run(options: &Options) -> Result<String, String> {
-    let mut log = Log::<Stability>::open(&options.directory, options.fresh)?;
-    meta::write(options, "stability")?;
-    let mut work = Vec::new();
-    for stressor in stressors().into_iter().filter(|s| options.wants(s.scene)) {
-        let stressor = std::rc::Rc::new(stressor);
-        for maker in options.makers().into_iter().filter(|m| m.key != "merev_c") {
-            for method in (maker.methods)().into_iter().filter(|m| (stressor.tells)(m)) {
-                work.push((stressor.clone(), maker, method));
-            }
-        }
+    let searches = searches(options);
+    if options.worker.is_some() {
+        return measure(options, &searches, &ProgressBar::hidden());
     }
-    let bar = progress::bar(work.len() as u64, "stability");
-    for (s, maker, method) in work {
-        bar.inc(1);
-        let mut row = Stability {
-            scene: s.scene.into(),
-            engine: maker.key.into(),
-            method: method.name(),
-            stressor: s.name.into(),
-            unit: s.unit.into(),
-            harder: "larger".into(),
-            survived: None,
-            failed: None,
-            outcome: Outcome::Ok,
-        };
-        if log.contains(&row.key()) {
-            continue;
-        }
-        bar.set_message(s.scene);
-        (row.survived, row.failed, row.outcome) = search(&s, &maker, &method, options);
-        log.push(row)?;
+    let log = Log::<Stability>::open(&options.directory, options.fresh)?;
+    meta::write(options, "stability")?;
+    let bar = progress::bar(searches.len() as u64, "stability");
+    if options.jobs > 1 {
+        let path = options.directory.join(Stability::FILE);
+        let before = log.rows().len() as u64;
+        let done = || workers::count(&path) - before;
+        workers::run(options, "stability", log.is_resumed(), &bar, &done, &mut |key| {
+            let found = searches.iter().find(|s| s.row().key() == key);
+            let row = found.ok_or(format!("a worker died at {key}"))?.row();
+            let mut log = Log::<Stability>::open(&options.directory, false)?;
+            log.push(Stability { outcome: Outcome::Crashed, ..row })
+        })?;
+    } else {
+        measure(options, &searches, &bar)?;
     }
     bar.finish_and_clear();
+    let mut log = Log::<Stability>::open(&options.directory, false)?;
+    let keys: BTreeMap<String, usize> = searches.iter().enumerate().map(|(k, s)| (s.row().key(), k)).collect();
+    log.sort_by_key(|row| keys.get(&row.key()).copied().unwrap_or(usize::MAX))?;
+    Ok(table(log.rows()))
+}
+
+/// Takes search after search until all are taken.
+fn measure(options: &Options, searches: &[Search], bar: &ProgressBar) -> Result<String, String> {
+    let mut log = Log::<Stability>::open(&options.directory, false)?;
+    let claims = Claims::shared(options);
+    for (unit, s) in searches.iter().enumerate() {
+        bar.inc(1);
+        let mut row = s.row();
+        if log.contains(&row.key()) || claims.as_ref().is_some_and(|c| !c.take(unit)) {
+            continue;
+        }
+        bar.set_message(s.stressor.scene);
+        if let Some(claims) = &claims {
+            claims.note(unit, &row.key());
+        }
+        (row.survived, row.failed, row.outcome) = search(&s.stressor, &s.maker, &s.method, options);
+        log.push(row)?;
+    }
+    Ok(String::new())
+}
+
+fn table(rows: &[Stability]) -> String {
     let mut table = Table::new(&["scene", "stressor", "engine", "method", "survived", "failed", "how"]);
-    for r in log.rows() {
+    for r in rows {
         let number = |x: Option<f64>| x.map_or("–".to_string(), |x| format!("{x:.4}"));
         table.row([
             r.scene.clone(),
@@ -278,5 +334,5 @@ pub fn run(options: &Options) -> Result<String, String> {
             r.outcome.name().into(),
         ]);
     }
-    Ok(table.to_string())
+    table.to_string()
 }

@@ -130,6 +130,8 @@ fn a_second_chart_has_nothing_to_do() {
         fresh: true,
         peers: false,
         only: Some("a1_ballistic".into()),
+        jobs: 1,
+        worker: None,
     };
     let rows = |options: &Options| {
         chart::run(options).unwrap();
