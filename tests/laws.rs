@@ -203,7 +203,8 @@ fn c3_a_sliding_ball_comes_to_roll() {
 #[test]
 fn b5_a_slanted_rod_leaves_with_the_impulse_of_its_corner() {
     for turn in orientations() {
-        for e in [0.5, 1.0] {
+        // Without a bounce the rows are soft, and the impulse arrives over the rest of the step.
+        for (e, bound) in [(0.0, 5e-3), (0.5, 1e-4), (1.0, 1e-4)] {
             let mut scene = Scene::new(&WorldDef { gravity: Vec3::zeros(), ..def() }, turn);
             scene.floor(&surface(0.0, e));
             let (half, thin, speed): (Float, Float, Float) = (0.5, 0.025, 3.0);
@@ -225,7 +226,7 @@ fn b5_a_slanted_rod_leaves_with_the_impulse_of_its_corner() {
                 length(spin - vec3(0.0, 0.0, -p * lever / inertia)) * half / speed,
             ];
             println!("B5, e = {e}: velocity off by {:.1e}, spin by {:.1e} of the speed", off[0], off[1]);
-            assert!(off[0] < 1e-4 && off[1] < 1e-4, "{off:?}");
+            assert!(off[0] < bound && off[1] < bound, "{off:?}");
         }
     }
 }

@@ -107,6 +107,9 @@ enum Command {
         /// Take a single bit of merev's errors that differs for worse.
         #[arg(long)]
         exact: bool,
+        /// Costs do not count: for a build that is not made for speed.
+        #[arg(long)]
+        errors: bool,
         /// Make what was measured the baseline.
         #[arg(long)]
         accept: bool,
@@ -221,11 +224,11 @@ fn run(arguments: Arguments) -> Result<String, String> {
             Ok(format!("{}\n", out.join("report.html").display()))
         }
         Some(Command::Compare { out, baseline, accept: true, .. }) => compare::accept(&out, &baseline),
-        Some(Command::Compare { out, baseline, noise, strict, exact, .. }) => {
+        Some(Command::Compare { out, baseline, noise, strict, exact, errors, .. }) => {
             if !(noise.is_finite() && noise >= 1.0) {
                 return Err("--noise is a factor of at least 1".into());
             }
-            let (text, is_worse) = compare::run(&out, &baseline, &compare::Options { noise, exact })?;
+            let (text, is_worse) = compare::run(&out, &baseline, &compare::Options { noise, exact, errors })?;
             if strict && is_worse { Err(format!("\n{text}")) } else { Ok(text) }
         }
     }

@@ -20,6 +20,8 @@ pub struct Options {
     pub noise: f64,
     /// A single bit of an error of merev that differs is a regression: for code that should compute the same.
     pub exact: bool,
+    /// Costs and what they lead to do not count: for a build that is not made for speed.
+    pub errors: bool,
 }
 
 /// An error or outcome that is not what it was.
@@ -225,8 +227,8 @@ impl Findings {
     fn is_regression(&self, options: &Options) -> bool {
         let ours = |change: &&Change| is_ours(&change.engine);
         self.changes.iter().any(Change::is_regression)
-            || self.volumes.iter().any(|v| is_ours(&v.engine) && v.is_worse())
-            || self.newly_late as f64 > (LATE * self.common as f64).max(3.0)
+            || !options.errors && self.volumes.iter().any(|v| is_ours(&v.engine) && v.is_worse())
+            || !options.errors && self.newly_late as f64 > (LATE * self.common as f64).max(3.0)
             || (options.exact && self.changes.iter().filter(ours).any(|c| !c.is_late()))
     }
 }

@@ -38,7 +38,9 @@ pub fn text(findings: &Findings, options: &Options, machines: &(Option<String>, 
     out += &changes("Worse: errors and outcomes", findings, |c| c.growth() > 1.0);
     out += &changes("Better: errors and outcomes", findings, |c| c.growth() < 1.0);
     out += &changes("Took too long in one of the two, and does not count", findings, Change::is_late);
-    out += &volumes(findings);
+    if !options.errors {
+        out += &volumes(findings);
+    }
     out += &medians(findings);
     out +=
         if findings.is_regression(options) { "\nmerev got worse.\n" } else { "\nmerev did not get worse.\n" };

@@ -2,7 +2,7 @@ use super::*;
 use crate::show::samples::run;
 use std::path::PathBuf;
 
-const OPTIONS: Options = Options { noise: 1.25, exact: false };
+const OPTIONS: Options = Options { noise: 1.25, exact: false, errors: false };
 
 fn base(runs: Vec<WorkPrecision>) -> Baseline {
     let corner = Corner { cost_ms: 1000.0, error: 1.0 };
@@ -33,6 +33,7 @@ fn costs_within_the_noise_are_no_regression_and_beyond_it_they_are() {
         let volume = &findings.volumes[0];
         assert_eq!((volume.is_worse(), volume.is_better()), (is_worse, is_better), "{factor}: {volume:?}");
         assert_eq!(findings.is_regression(&OPTIONS), is_worse);
+        assert!(!findings.is_regression(&Options { errors: true, ..OPTIONS }));
     }
 }
 

@@ -35,7 +35,12 @@ fn sources() -> [(&'static str, Method, u32); 4] {
 ///
 /// # Errors
 /// What the file system says.
-pub fn measure(options: &Options, cases: &[Case], claims: Option<&Claims>, first: usize) -> Result<(), String> {
+pub fn measure(
+    options: &Options,
+    cases: &[Case],
+    claims: Option<&Claims>,
+    first: usize,
+) -> Result<(), String> {
     let mut log = Log::<Attribution>::open(&options.directory, options.fresh)?;
     let maker = engines::ALL[0];
     for (k, case) in cases.iter().enumerate().filter(|(_, c)| matches!(c.trial, Trial::Run(..))) {

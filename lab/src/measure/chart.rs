@@ -112,7 +112,9 @@ pub fn run(options: &Options) -> Result<String, String> {
         let path = options.directory.join(WorkPrecision::FILE);
         let before = log.rows().len() as u64;
         let done = || workers::count(&path) - before;
-        workers::run(options, "chart", log.is_resumed(), &bar, &done, &mut |key| crashed(options, &points, key))?;
+        workers::run(options, "chart", log.is_resumed(), &bar, &done, &mut |key| {
+            crashed(options, &points, key)
+        })?;
     } else {
         measure(options, &cases, &points, log.is_resumed(), &bar)?;
     }

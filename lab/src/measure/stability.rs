@@ -295,7 +295,8 @@ pub fn run(options: &Options) -> Result<String, String> {
     }
     bar.finish_and_clear();
     let mut log = Log::<Stability>::open(&options.directory, false)?;
-    let keys: BTreeMap<String, usize> = searches.iter().enumerate().map(|(k, s)| (s.row().key(), k)).collect();
+    let keys: BTreeMap<String, usize> =
+        searches.iter().enumerate().map(|(k, s)| (s.row().key(), k)).collect();
     log.sort_by_key(|row| keys.get(&row.key()).copied().unwrap_or(usize::MAX))?;
     Ok(table(log.rows()))
 }

@@ -116,8 +116,7 @@ fn spawn(options: &Options, command: &str, worker: Worker) -> Result<Child, Stri
     let program = std::env::current_exe().map_err(|e| e.to_string())?;
     let mut call = Command::new(program);
     call.arg(command).arg("--out").arg(&options.directory).args(["--worker", &worker.core.to_string()]);
-    for (on, name) in
-        [(options.quick, "--quick"), (options.peers, "--peers"), (worker.resumed, "--resumed")]
+    for (on, name) in [(options.quick, "--quick"), (options.peers, "--peers"), (worker.resumed, "--resumed")]
     {
         if on {
             call.arg(name);

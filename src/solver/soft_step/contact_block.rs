@@ -18,6 +18,7 @@
 //!
 //! Legend: v ω velocity, r arm, n normal, t tangent, s separation, λ impulse, μ friction, h sub-step.
 
+use crate::math::Float;
 use crate::simd::{Lane, V3};
 use crate::solver::SubStep;
 use crate::solver::rows::{Gathered, Rows, turned_back_minus};
@@ -171,6 +172,9 @@ pub trait ImpactPart<L: Lane, const P: usize>: Copy + Send + Sync + std::fmt::De
 /// Sweeps over the points of a manifold that an impact struck. An impact has no next sub-step to be put right in: with
 /// one sweep the point that comes first would take most of it, and turn a slender body about its length.
 const IMPACT_SWEEPS: usize = 16;
+
+/// What changes a point's velocity by more than this \[m/s\] is an impact, too, if nothing bounces.
+const IMPACT_SPEED: Float = 0.1;
 
 impl<L: Lane, const P: usize> ImpactPart<L, P> for NoImpact {
     #[inline(always)]
@@ -550,9 +554,12 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Contac
         let (inv_h, push_out) = (L::splat(sub.inv_h), -push_out);
 
         self.friction.solve(n, self.offset, &self.points, &mut a, &mut b, LAST);
-        let struck = self.impact.struck();
-        let rounds = if P > 1 && struck.is_some_and(L::any) { IMPACT_SWEEPS } else { 1 };
-        for round in 0..rounds {
+        // 1 in lanes that an impact struck.
+        let mut struck = self.impact.struck().map_or(zero, |struck| L::select(struck, one, zero));
+        for round in 0..IMPACT_SWEEPS {
+            if round > 0 && (P == 1 || !L::any(struck.gt(zero))) {
+                break;
+            }
             for (k, p) in self.points.iter_mut().enumerate() {
                 let (ra, rb) = (p.r, p.r + self.offset);
                 let (ka, kb) = (ra.cross(n), rb.cross(n));
@@ -578,13 +585,15 @@ impl<L: Lane, const P: usize, F: FrictionPart<L, P>, R: ImpactPart<L, P>> Contac
                 }
                 let change = -(mass * scale * (v + bias)) - leak * (p.lambda - p.memory);
                 let mut lambda = (p.lambda + change).max(zero);
-                if let Some(struck) = struck
-                    && round > 0
-                {
+                if round > 0 {
                     // Lanes without an impact stay as they are after the first round, whoever is beside them.
-                    lambda = L::select(struck, lambda, p.lambda);
+                    lambda = L::select(struck.gt(zero), lambda, p.lambda);
                 }
                 let change = lambda - p.lambda;
+                if P > 1 && round == 0 {
+                    let size = change.max(-change);
+                    struck = L::select(size.gt(p.mass * L::splat(IMPACT_SPEED)), one, struck);
+                }
                 p.lambda = lambda;
                 if LAST {
                     p.total = p.total + if round == 0 { lambda } else { change };
