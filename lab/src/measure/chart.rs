@@ -7,7 +7,8 @@ use crate::progress;
 use crate::records::{Log, Outcome, Record, SceneRow, Secondary, WorkPrecision};
 use crate::scenes;
 use crate::table::{Table, milliseconds};
-use std::time::Duration;
+use std::collections::BTreeMap;
+use std::time::{Duration, Instant};
 
 /// A point to be measured.
 struct Point<'a> {
@@ -89,8 +90,13 @@ pub fn run(options: &Options) -> Result<String, String> {
     let bar = progress::bar(points.len() as u64, "chart");
     let resumed = u8::from(log.is_resumed());
     let mut slow: Option<&Point> = None;
+    let mut spent: BTreeMap<&str, Duration> = BTreeMap::new();
+    let mut begin = Instant::now();
+    let mut last = "";
     for point in &points {
         bar.inc(1);
+        *spent.entry(last).or_default() += begin.elapsed();
+        (begin, last) = (Instant::now(), point.case.name);
         let mut row = WorkPrecision { resumed, ..point.row() };
         if log.contains(&row.key()) {
             continue;
@@ -119,9 +125,22 @@ pub fn run(options: &Options) -> Result<String, String> {
         log.push(row)?;
     }
     bar.finish_and_clear();
+    *spent.entry(last).or_default() += begin.elapsed();
+    let begin = Instant::now();
     let attribution = attribution::run(options, &cases, log.rows())?;
-    let text = format!("{}\n{checks}\n{attribution}", summary(&cases, options, log.rows()));
+    spent.insert("attribution", begin.elapsed());
+    let time = longest(&spent);
+    let text = format!("{}\n{checks}\n{attribution}\n{time}", summary(&cases, options, log.rows()));
     Ok(text)
+}
+
+/// What took longest: a chart is to stay short.
+fn longest(spent: &BTreeMap<&str, Duration>) -> String {
+    let mut all: Vec<(&&str, f64)> = spent.iter().map(|(name, d)| (name, d.as_secs_f64())).collect();
+    all.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let total: f64 = all.iter().map(|a| a.1).sum();
+    let list: Vec<String> = all.iter().take(12).map(|(name, s)| format!("{name} {s:.1} s")).collect();
+    format!("Measured in {total:.0} s; longest: {}.", list.join(", "))
 }
 
 fn secondary(row: &WorkPrecision, metric: &str, value: f64) -> Secondary {

@@ -11,8 +11,8 @@ pub mod stability;
 use crate::case::{self, TURN, Track, Trial};
 use crate::engines::{Engine, Maker, Method, Motion, Setting};
 use crate::records::Outcome;
-use crate::scene::{Kind, Scene};
-use crate::vector::{add, norm, rotate};
+use crate::scene::{Kind, Load, Scene, pull};
+use crate::vector::{V3, add, cross, norm, rotate, scale, sub};
 use cpu_time::ThreadTime;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -79,20 +79,50 @@ impl<'a> Runner<'a> {
         Ok(Self { scene, setting, engine, motions: Motion::start(scene), dynamic })
     }
 
+    /// Puts a load on for the next step: a torque as two forces.
+    fn put(&mut self, load: &Load) {
+        match *load {
+            Load::Torque(body, torque) => {
+                let Some(i) = self.dynamic[body] else { return };
+                let (place, arm) = (self.motions[i].position, across(torque));
+                let force = scale(cross(torque, arm), 0.5);
+                self.engine.push(body, force, add(place, arm));
+                self.engine.push(body, scale(force, -1.0), sub(place, arm));
+            }
+            Load::Spring { body, at, anchor, stiffness, rest } => {
+                let Some(i) = self.dynamic[body] else { return };
+                let m = &self.motions[i];
+                let place = add(m.position, rotate(m.rotation, sub(at, self.scene.bodies[body].center())));
+                self.engine.push(body, pull(place, anchor, stiffness, rest), place);
+            }
+        }
+    }
+
     /// Step number `k`, from 0. Forces are those of its middle, at the places of its start.
     fn step(&mut self, k: usize) {
-        if !self.scene.pushes.is_empty() {
+        if !self.scene.pushes.is_empty() || !self.scene.loads.is_empty() {
             self.engine.motions(&mut self.motions);
         }
         for push in &self.scene.pushes {
             let Some(i) = self.dynamic[push.body] else { continue };
             let m = &self.motions[i];
-            let point = add(m.position, rotate(m.rotation, push.at));
+            let arm = sub(push.at, self.scene.bodies[push.body].center());
+            let point = add(m.position, rotate(m.rotation, arm));
             let force = push.at_time((k as f64 + 0.5) * self.setting.dt());
             self.engine.push(push.body, force, point);
         }
+        for load in &self.scene.loads {
+            self.put(load);
+        }
         self.engine.step();
     }
+}
+
+/// A direction across another.
+fn across(v: V3) -> V3 {
+    let axis = if v[0].abs() < v[1].abs() { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
+    let side = cross(v, axis);
+    scale(side, 1.0 / norm(side))
 }
 
 /// Beyond this speed \[m/s\] a scene has exploded: ten times what it has, and what falling gives it, allow.
@@ -201,18 +231,21 @@ pub fn try_case(
         Trial::Missing => failed(Outcome::Refused),
         Trial::Run(scene, judge) => match run(maker, scene, method, setting, case.duration, turned, budget) {
             Err(outcome) => failed(outcome),
-            Ok((track, residual)) => {
-                let verdict = judge(scene, &track);
-                let mut more = verdict.more;
-                more.extend(residual.map(|r| ("residual", r)));
-                let outcome = verdict.outcome.unwrap_or(Outcome::Ok);
-                let error = verdict.error / case.scale.0;
-                if !error.is_finite() {
-                    return Tried { outcome: Outcome::Nan, error: None, more };
-                }
-                Tried { outcome, error: (outcome == Outcome::Ok).then_some(error), more }
-            }
+            Ok((track, residual)) => judged(case, judge(scene, &track), residual),
         },
+        Trial::Together(scenes, judge) => {
+            let begin = Instant::now();
+            let mut tracks = Vec::new();
+            for (scene, rate) in scenes {
+                let setting = Setting { rate: rate.unwrap_or(setting.rate), ..*setting };
+                let left = budget.checked_sub(begin.elapsed()).unwrap_or_default();
+                match run(maker, scene, method, &setting, case.duration, turned, left) {
+                    Err(outcome) => return failed(outcome),
+                    Ok((track, _)) => tracks.push(track),
+                }
+            }
+            judged(case, judge(&tracks), None)
+        }
         Trial::Threshold(threshold) => {
             let mut ended = Outcome::Ok;
             let begin = Instant::now();
@@ -239,10 +272,23 @@ pub fn try_case(
     }
 }
 
+/// What a judge has said, over the case's scale.
+fn judged(case: &case::Case, verdict: case::Verdict, residual: Option<f64>) -> Tried {
+    let mut more = verdict.more;
+    more.extend(residual.map(|r| ("residual", r)));
+    let outcome = verdict.outcome.unwrap_or(Outcome::Ok);
+    let error = verdict.error / case.scale.0;
+    if !error.is_finite() {
+        return Tried { outcome: Outcome::Nan, error: None, more };
+    }
+    Tried { outcome, error: (outcome == Outcome::Ok).then_some(error), more }
+}
+
 /// The scene that a case's time is taken on.
 fn timed_scene(case: &case::Case) -> Option<Scene> {
     match &case.trial {
         Trial::Run(scene, _) => Some(scene.clone()),
+        Trial::Together(scenes, _) => Some(scenes[0].0.clone()),
         Trial::Threshold(t) => Some((t.scene)(t.exact)),
         Trial::Missing => None,
     }
@@ -254,6 +300,7 @@ fn tells(case: &case::Case, method: &Method, first: &Method) -> bool {
         _ if method == first => true,
         case::Vary::Integrators => method.solver == first.solver,
         case::Vary::Solvers => method.integrator == first.integrator,
+        case::Vary::Nothing => false,
     }
 }
 

@@ -4,5 +4,10 @@
 pub mod chain;
 pub mod elliptic;
 pub mod extrapolation;
+pub mod galton;
+pub mod mechanism;
+pub mod rod;
 pub mod statics;
 pub mod top;
+pub mod tops;
+pub mod wheel;

@@ -1,6 +1,6 @@
 //! C: friction and rolling.
 
-use super::{G, scene};
+use super::{G, rods, scene, tops};
 use crate::case::{Case, Reference, Threshold, Track};
 use crate::engines::Motion;
 use crate::scene::{Body, Course, Form, Hold, Joint, Mass, Push, Scene};
@@ -25,15 +25,11 @@ pub fn cases() -> Vec<Case> {
         tall_box(),
         tip(),
         grip(),
-        Case::missing(
-            'C',
-            "c9_painleve_rod",
-            "a slender rod slides where Coulomb's law has no answer",
-            super::NO_RULER,
-        ),
-        Case::missing('C', "c12_tippe_top", "a top that turns over", super::NO_OFFSET),
-        Case::missing('C', "c13_euler_disc", "a coin that rolls to rest", super::NO_RULER),
     ]
+    .into_iter()
+    .chain(rods::cases())
+    .chain(tops::cases())
+    .collect()
 }
 
 /// A slope of this angle that falls towards +x: all turned but gravity.
@@ -167,7 +163,7 @@ fn ramp(name: &'static str, about: &'static str, inertia: f64, sides: Option<usi
         }
     };
     let depth = sides.map_or(r, |n| r * libm::cos(PI / n as f64));
-    let mass = Some(Mass { mass: 100.0, inertia: [100.0 * inertia * r * r; 3] });
+    let mass = Some(Mass::new(100.0, [100.0 * inertia * r * r; 3]));
     flat.bodies.push(surface(Body { mass, ..Body::dynamic(form, [0.0, depth, 0.0]) }));
     let scene = slope(flat, angle);
     let way = 0.5 * G * libm::sin(angle) / (1.0 + inertia) * 4.0;
@@ -195,7 +191,7 @@ fn rolling_plate() -> Case {
     scene.bodies.push(plate);
     for k in 0..25 {
         let at = [2.0 * f64::from(k % 5) - 4.0, 1.5, 2.0 * f64::from(k / 5) - 4.0];
-        let mass = Some(Mass { mass: 1.0, inertia: [0.1; 3] });
+        let mass = Some(Mass::new(1.0, [0.1; 3]));
         scene.bodies.push(Body { friction: 1.6, mass, ..Body::dynamic(Form::Sphere(0.5), at) });
     }
     let way = [0.5, 0.0, 0.75_f64.sqrt()];

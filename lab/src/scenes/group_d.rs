@@ -209,7 +209,7 @@ fn arch(thickness: f64, friction: f64) -> Scene {
         let (s, c) = libm::sincos(angle);
         let body = Body::dynamic(Form::Hull(0), [centre * s, centre * c, 0.0]);
         let rotation = turn([0.0, 0.0, 1.0], -angle);
-        scene.bodies.push(surface(Body { rotation, mass: Some(Mass { mass, inertia }), ..body }));
+        scene.bodies.push(surface(Body { rotation, mass: Some(Mass::new(mass, inertia)), ..body }));
     }
     scene
 }

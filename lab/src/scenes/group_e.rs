@@ -1,6 +1,6 @@
 //! E: joints and chains.
 
-use super::{G, scene};
+use super::{G, loops, scene};
 use crate::case::{Case, Reference, Track};
 use crate::engines::Motion;
 use crate::metrics::{crossings, energy, energy_change};
@@ -26,24 +26,21 @@ pub fn cases() -> Vec<Case> {
         soft("e7_spring_20", "a soft slide at 20 Hz", 20.0),
         soft("e7_spring_60", "a soft slide at 60 Hz", 60.0),
         cantilever(),
-        Case::missing(
-            'E',
-            "e9_anymal",
-            "a robot of twelve joints",
-            "the robot's model is not shipped with the lab",
-        ),
     ]
+    .into_iter()
+    .chain(loops::cases())
+    .collect()
 }
 
 /// The anchor of what hangs.
-fn ground() -> Body {
+pub fn ground() -> Body {
     Body { collides: false, ..Body::fixed(Form::Sphere(0.02), [0.0; 3]) }
 }
 
 /// A thin rod along x.
-fn rod(mass: f64, length: f64, at: V3) -> Body {
+pub fn rod(mass: f64, length: f64, at: V3) -> Body {
     let across = mass * length * length / 12.0;
-    let mass = Some(Mass { mass, inertia: [0.01 * across, across, across] });
+    let mass = Some(Mass::new(mass, [0.01 * across, across, across]));
     Body { collides: false, mass, ..Body::dynamic(Form::Sphere(0.02), at) }
 }
 
@@ -61,7 +58,7 @@ pub fn pendulum_scene(name: &'static str, about: &'static str, amplitude: f64, b
         collides: false,
         rotation: turn([0.0, 0.0, 1.0], amplitude - FRAC_PI_2),
         // As small as Box3D bears: a sphere of 5 mm.
-        mass: Some(Mass { mass: 1.0, inertia: [1e-5; 3] }),
+        mass: Some(Mass::new(1.0, [1e-5; 3])),
         ..Body::dynamic(Form::Sphere(0.005), [s, -c, 0.0])
     });
     scene.joints.push(if bar {
@@ -216,7 +213,7 @@ fn soft(name: &'static str, about: &'static str, hertz: f64) -> Case {
     scene.bodies.push(ground());
     scene.bodies.push(Body {
         collides: false,
-        mass: Some(Mass { mass: 1.0, inertia: [4e-3; 3] }),
+        mass: Some(Mass::new(1.0, [4e-3; 3])),
         ..Body::dynamic(Form::Sphere(0.1), [0.1, 0.0, 0.0])
     });
     let (w, zeta) = (TAU * hertz, 0.1);

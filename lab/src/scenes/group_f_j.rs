@@ -33,7 +33,6 @@ pub fn cases() -> Vec<Case> {
         long_spin(),
         momentum_audit(),
         dice(),
-        Case::missing('J', "j3_hopper", "grains flow out of a hopper", MESH),
         Case::missing('J', "j5_tosses", "measured tosses of a cube", "the data are not shipped with the lab"),
     ]
 }
