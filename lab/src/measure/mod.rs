@@ -43,9 +43,14 @@ impl Options {
         crate::engines::ALL.iter().copied().filter(|m| self.peers || ours(m)).collect()
     }
 
-    /// How long a run may take.
+    /// How much CPU time a run may take.
     fn budget(&self) -> Duration {
         Duration::from_secs_f64(if self.quick { 0.5 } else { 3.0 })
+    }
+
+    /// The same for methods beside the one that an engine comes with: in a short chart, half of it.
+    fn budget_of(&self, is_first: bool) -> Duration {
+        if self.quick && !is_first { self.budget() / 2 } else { self.budget() }
     }
 }
 
@@ -132,7 +137,21 @@ fn speed_limit(scene: &Scene, duration: f64) -> f64 {
     10.0 * (fastest + (norm(scene.gravity) + push) * duration + 3.0)
 }
 
-/// Runs a scene, and gives the way of its bodies, or how else it ended; and what the engine says of its last step.
+/// What a run has given.
+pub struct Run {
+    pub track: Track,
+    /// The engine's own, of its last step.
+    residual: Option<f64>,
+    /// CPU time, reading included \[s\].
+    spent: f64,
+}
+
+/// CPU time of this thread since then \[s\]: other load does not make a run time out.
+fn since(start: ThreadTime) -> f64 {
+    start.try_elapsed().map_or(0.0, |d| d.as_secs_f64())
+}
+
+/// Runs a scene, and gives the way of its bodies, or how else it ended. The budget is of CPU time.
 pub fn run(
     maker: &Maker,
     scene: &Scene,
@@ -141,7 +160,7 @@ pub fn run(
     duration: f64,
     turned: bool,
     budget: Duration,
-) -> Result<(Track, Option<f64>), Outcome> {
+) -> Result<Run, Outcome> {
     let whole = if turned { scene.turned(TURN) } else { scene.clone() };
     let mut runner = Runner::new(maker, &whole, method, setting)?;
     let steps = (duration * setting.rate).round().max(1.0) as usize;
@@ -159,7 +178,7 @@ pub fn run(
     let mut motions = Vec::new();
     runner.engine.motions(&mut motions);
     keep(&mut track, 0, &motions);
-    let start = Instant::now();
+    let (start, budget) = (ThreadTime::now(), budget.as_secs_f64());
     for k in 0..steps {
         runner.step(k);
         if (k + 1) % stride == 0 || k + 1 == steps {
@@ -175,14 +194,14 @@ pub fn run(
             }
             keep(&mut track, k + 1, &motions);
         }
-        if start.elapsed() > budget {
+        if since(start) > budget {
             return Err(Outcome::Timeout);
         }
     }
     if runner.engine.is_broken() {
         return Err(Outcome::Nan);
     }
-    Ok((track, runner.engine.residual()))
+    Ok(Run { track, residual: runner.engine.residual(), spent: since(start) })
 }
 
 /// CPU milliseconds of this thread for a simulated second: the median of repeats, as many as `budget` has room for,
@@ -215,6 +234,8 @@ pub struct Tried {
     pub outcome: Outcome,
     pub error: Option<f64>,
     pub more: Vec<(&'static str, f64)>,
+    /// CPU milliseconds for a simulated second, reading included, if it was a single run.
+    pub cost_ms: Option<f64>,
 }
 
 /// Runs a case once, or as often as its threshold needs.
@@ -226,34 +247,37 @@ pub fn try_case(
     turned: bool,
     budget: Duration,
 ) -> Tried {
-    let failed = |outcome| Tried { outcome, error: None, more: Vec::new() };
+    let failed = |outcome| Tried { outcome, error: None, more: Vec::new(), cost_ms: None };
     match &case.trial {
         Trial::Missing => failed(Outcome::Refused),
         Trial::Run(scene, judge) => match run(maker, scene, method, setting, case.duration, turned, budget) {
             Err(outcome) => failed(outcome),
-            Ok((track, residual)) => judged(case, judge(scene, &track), residual),
+            Ok(Run { track, residual, spent }) => {
+                let tried = judged(case, judge(scene, &track), residual);
+                Tried { cost_ms: Some(1e3 * spent / track.end()), ..tried }
+            }
         },
         Trial::Together(scenes, judge) => {
-            let begin = Instant::now();
+            let begin = ThreadTime::now();
             let mut tracks = Vec::new();
             for (scene, rate) in scenes {
                 let setting = Setting { rate: rate.unwrap_or(setting.rate), ..*setting };
                 let left = budget.checked_sub(begin.elapsed()).unwrap_or_default();
                 match run(maker, scene, method, &setting, case.duration, turned, left) {
                     Err(outcome) => return failed(outcome),
-                    Ok((track, _)) => tracks.push(track),
+                    Ok(run) => tracks.push(run.track),
                 }
             }
             judged(case, judge(&tracks), None)
         }
         Trial::Threshold(threshold) => {
             let mut ended = Outcome::Ok;
-            let begin = Instant::now();
+            let begin = ThreadTime::now();
             let found = case::bisect(threshold, |value| {
                 let scene = (threshold.scene)(value);
                 let left = (4 * budget).checked_sub(begin.elapsed()).unwrap_or_default();
                 match run(maker, &scene, method, setting, case.duration, turned, left) {
-                    Ok((track, _)) => Some((threshold.beyond)(&track)),
+                    Ok(run) => Some((threshold.beyond)(&run.track)),
                     Err(outcome) => {
                         ended = outcome;
                         None
@@ -266,6 +290,7 @@ pub fn try_case(
                     outcome: Outcome::Ok,
                     error: Some((x - threshold.exact).abs() / threshold.exact.abs()),
                     more: vec![("found", x)],
+                    cost_ms: None,
                 },
             }
         }
@@ -279,9 +304,9 @@ fn judged(case: &case::Case, verdict: case::Verdict, residual: Option<f64>) -> T
     let outcome = verdict.outcome.unwrap_or(Outcome::Ok);
     let error = verdict.error / case.scale.0;
     if !error.is_finite() {
-        return Tried { outcome: Outcome::Nan, error: None, more };
+        return Tried { outcome: Outcome::Nan, error: None, more, cost_ms: None };
     }
-    Tried { outcome, error: (outcome == Outcome::Ok).then_some(error), more }
+    Tried { outcome, error: (outcome == Outcome::Ok).then_some(error), more, cost_ms: None }
 }
 
 /// The scene that a case's time is taken on.

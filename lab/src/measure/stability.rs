@@ -192,7 +192,7 @@ fn search(
         let budget = 2 * options.budget();
         let ended = run_scene(maker, &scene, method, &(s.setting)(value), s.duration, false, budget);
         let ok = match &ended {
-            Ok((track, _)) => (s.survives)(value, &scene, track),
+            Ok(run) => (s.survives)(value, &scene, &run.track),
             Err(_) => false,
         };
         if !ok {

@@ -176,7 +176,7 @@ fn bricard_scene() -> Scene {
 }
 
 fn bricard() -> Case {
-    follow(bricard_scene(), 5.0, 1.0, Some(5.0 * super::G))
+    follow(bricard_scene(), 3.0, 1.0, Some(5.0 * super::G))
 }
 
 /// A shaft that turns freely, a slider on it, and two rods with balls that are tied to the slider; all turn at 2π/s. The
@@ -223,7 +223,7 @@ fn governor() -> Case {
     let scene = governor_scene();
     let start: Vec<Motion> = Motion::start(&scene);
     let size = kinetic(&scene, &start);
-    follow(scene, 5.0, 1.0, Some(size))
+    follow(scene, 3.0, 1.0, Some(size))
 }
 
 /// A trunk of 20 kg on four legs of three links each, hinged as those of walking robots are: at the hip about the way
@@ -296,7 +296,7 @@ fn robot_floats() -> Case {
             .and("energy", e)
             .and("joint_gap_m", track.greatest(|f| gap(scene, f)))
     };
-    robot_case(scene, 10.0, Box::new(judge))
+    robot_case(scene, 5.0, Box::new(judge))
         .primary("greatest change of energy, momentum or angular momentum, over their sizes")
 }
 
