@@ -266,7 +266,7 @@ impl Case {
     }
 
     /// What engines come with is enough: others cost more than they tell.
-    pub fn as_it_comes(mut self) -> Self {
+    pub fn defaults_only(mut self) -> Self {
         self.vary = Vary::Nothing;
         self
     }

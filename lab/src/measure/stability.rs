@@ -57,7 +57,7 @@ fn stressors() -> Vec<Stressor> {
             scene: "tower",
             name: "stack height",
             unit: "cubes",
-            range: [2.0, 64.0],
+            range: [2.0, 128.0],
             whole: true,
             duration: 10.0,
             build: |n| group_d::tower("tower", "", &vec![1000.0; n as usize]),

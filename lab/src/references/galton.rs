@@ -21,7 +21,7 @@ impl Board {
             let at = |t: f64| [p[0] + v[0] * t, p[1] + v[1] * t - 0.5 * self.g * t * t];
             let depth = |t: f64, peg: [f64; 2]| {
                 let q = at(t);
-                self.reach - f64::hypot(q[0] - peg[0], q[1] - peg[1])
+                self.reach - libm::hypot(q[0] - peg[0], q[1] - peg[1])
             };
             let hit = self.pegs.iter().find(|&&peg| depth(step, peg) > 0.0);
             let Some(&peg) = hit else {
@@ -48,7 +48,7 @@ impl Board {
 pub fn energy_coefficient(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
     let mean = |a: &[[f64; 2]], b: &[[f64; 2]]| {
         let sum: f64 =
-            a.iter().flat_map(|p| b.iter().map(move |q| f64::hypot(p[0] - q[0], p[1] - q[1]))).sum();
+            a.iter().flat_map(|p| b.iter().map(move |q| libm::hypot(p[0] - q[0], p[1] - q[1]))).sum();
         sum / (a.len() * b.len()) as f64
     };
     let across = 2.0 * mean(a, b);
@@ -76,7 +76,7 @@ mod tests {
         let board = Board { pegs: vec![[0.0, 0.0], [1.0, 0.0], [0.5, -0.87]], reach: 0.3, g: 9.81 };
         for k in 0..50 {
             let p = board.end([0.02 * f64::from(k), 0.7], 0.6);
-            let free = board.pegs.iter().all(|q| f64::hypot(p[0] - q[0], p[1] - q[1]) > 0.3 - 1e-6);
+            let free = board.pegs.iter().all(|q| libm::hypot(p[0] - q[0], p[1] - q[1]) > 0.3 - 1e-6);
             assert!(free && p[1] < 0.7 + 1e-9, "{k}: {p:?}");
         }
     }

@@ -176,11 +176,11 @@ impl<'a> System<'a> {
             }
         }
         let force = solve(n, &mut matrix, &right);
-        for i in 0..n {
-            for s in 0..2 {
-                if let Some(k) = self.dynamic[rows[i].bodies[s]] {
-                    linear[k] = add(linear[k], scale(given[i][s][0], force[i]));
-                    angular[k] = add(angular[k], scale(given[i][s][1], force[i]));
+        for ((row, given), force) in rows.iter().zip(&given).zip(force) {
+            for (&body, gives) in row.bodies.iter().zip(given) {
+                if let Some(k) = self.dynamic[body] {
+                    linear[k] = add(linear[k], scale(gives[0], force));
+                    angular[k] = add(angular[k], scale(gives[1], force));
                 }
             }
         }

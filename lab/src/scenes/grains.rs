@@ -64,7 +64,7 @@ fn galton() -> Case {
         .primary("energy distance of the places from those of the truth, over its greatest value")
         .scale(1.0, "1; two samples of the truth are 0.01 apart")
         .most_rate(240.0)
-        .as_it_comes()
+        .defaults_only()
 }
 
 /// Three balls on the floor, a little apart, and one on them: the least heap. The line to the one above is ψ off the
@@ -165,10 +165,10 @@ fn hopper() -> Case {
         super::verdict((exponent(rates) - 1.5).abs()).and("exponent", exponent(rates)).and("constant", widest)
     };
     Case::run('J', Reference::ClosedForm, hopper_scene(), to, Box::new(judge))
-        .primary("error of the fitted exponent, for a slot 3/2")
-        .scale(1.5, "1, the exponent")
+        .primary("error of the fitted exponent; by Beverloo's empirical law it is 3/2 for a slot")
+        .scale(1.5, "1, the exponent; grains are counted, below 0.1 it is noise")
         .most_rate(60.0)
-        .as_it_comes()
+        .defaults_only()
 }
 
 #[cfg(test)]

@@ -22,7 +22,7 @@ pub fn cases() -> Vec<Case> {
         hanging("e4_chain_10000", "twenty links at rest, the last of 10 t", 1e4),
         four_bars("e6_four_bars_2", "three bars and two couplers fall over and come back", 2),
         four_bars("e6_four_bars_10", "eleven bars and ten couplers fall over and come back", 10)
-            .as_it_comes(),
+            .defaults_only(),
         soft("e7_spring_1", "a soft slide at 1 Hz", 1.0, 0.1),
         soft("e7_spring_5", "a soft slide at 5 Hz", 5.0, 0.1),
         soft("e7_spring_5_undamped", "a soft slide at 5 Hz without damping", 5.0, 0.0),

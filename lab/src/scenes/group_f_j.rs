@@ -435,7 +435,7 @@ fn resting_stack() -> Case {
         .primary("greatest way of a cube after the first sixth of the time, an hour")
         .scale(1.0, "m/h")
         .most_rate(60.0)
-        .as_it_comes()
+        .defaults_only()
 }
 
 fn billiard() -> Case {

@@ -332,7 +332,7 @@ mod tests {
     use crate::metrics::energy;
 
     fn at(scene: &Scene, times: &[f64]) -> Vec<Vec<Motion>> {
-        let found = mechanism::motions(scene, times, 1e-12);
+        let found = mechanism::motions(scene, times, 1e-11);
         assert_eq!(found.len(), times.len());
         found
     }
@@ -371,13 +371,12 @@ mod tests {
         for scene in [bricard_scene(), governor_scene(), robot("robot", "")] {
             let start = Motion::start(&scene);
             let e = energy(&scene, &start);
-            for frame in at(&scene, &[1.0, 2.0, 5.0]) {
+            for frame in at(&scene, &[1.0, 3.0]) {
                 assert!(gap(&scene, &frame) < 1e-8, "{}: {}", scene.name, gap(&scene, &frame));
                 let off = (energy(&scene, &frame) - e).abs();
                 assert!(off < 1e-7, "{}: {off}", scene.name);
                 let moved = frame.iter().zip(&start).map(|(a, b)| norm(sub(a.position, b.position)));
-                // After 5 s Bricard's loop is nearly where it began.
-                assert!(moved.fold(0.0, f64::max) > 1e-5, "{}", scene.name);
+                assert!(moved.fold(0.0, f64::max) > 0.1, "{}", scene.name);
             }
         }
     }
