@@ -11,7 +11,7 @@ pub mod stability;
 use crate::case::{self, TURN, Track, Trial};
 use crate::engines::{Engine, Maker, Method, Motion, Setting};
 use crate::records::Outcome;
-use crate::scene::{Kind, Load, Scene, pull};
+use crate::scene::{Hold, Joint, Kind, Load, Scene, pull};
 use crate::vector::{V3, add, cross, norm, rotate, scale, sub};
 use cpu_time::ThreadTime;
 use std::path::PathBuf;
@@ -134,7 +134,18 @@ fn across(v: V3) -> V3 {
 fn speed_limit(scene: &Scene, duration: f64) -> f64 {
     let fastest = scene.bodies.iter().map(|b| norm(b.velocity)).fold(0.0, f64::max);
     let push = scene.pushes.iter().map(|p| norm(p.force)).fold(0.0, f64::max);
-    10.0 * (fastest + (norm(scene.gravity) + push) * duration + 3.0)
+    let springs = scene.joints.iter().map(|j| spring_speed(scene, j)).fold(0.0, f64::max);
+    10.0 * (fastest + springs + (norm(scene.gravity) + push) * duration + 3.0)
+}
+
+/// What a joint's spring gives at most to what it is meant for, from where its points are at the start.
+fn spring_speed(scene: &Scene, joint: &Joint) -> f64 {
+    let (Hold::Slider(Some(spring)) | Hold::Spring(_, spring)) = joint.hold else { return 0.0 };
+    let point = |k: usize| {
+        let body = &scene.bodies[joint.bodies[k]];
+        add(body.position, rotate(body.rotation, joint.local[k]))
+    };
+    std::f64::consts::TAU * spring.hertz * norm(sub(point(1), point(0)))
 }
 
 /// What a run has given.

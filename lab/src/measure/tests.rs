@@ -137,6 +137,19 @@ fn smooth_cases_are_met() {
     }
 }
 
+/// A stiff spring that is followed well is fast, and has not exploded.
+#[test]
+fn a_fast_spring_has_not_exploded() {
+    let maker = &crate::engines::ALL[0];
+    for name in ["e7_spring_60", "e7_spring_120"] {
+        let case = case(name);
+        let setting = Setting::new(1920.0, 4);
+        let method = (maker.methods)()[0];
+        let tried = try_case(&case, maker, &method, &setting, false, Duration::from_secs(20));
+        assert!(tried.error.is_some_and(|e| e < 1e-3), "{name}: {:?} {:?}", tried.outcome, tried.error);
+    }
+}
+
 /// What is missing is refused, not dropped.
 #[test]
 fn missing_cases_are_refused() {
