@@ -1,5 +1,5 @@
-//! What is true, by ways that share nothing with an engine: closed forms, and integrations of high order in minimal
-//! coordinates.
+//! What is true, by ways that share nothing with an engine: closed forms, and integrations of high order, in minimal
+//! coordinates or of bodies on ideal joints.
 
 pub mod chain;
 pub mod elliptic;
