@@ -36,6 +36,8 @@ pub enum Vary {
     Integrators,
     /// Contacts or joints are what matters.
     Solvers,
+    /// It is for engines as they come.
+    Nothing,
 }
 
 /// A run: the dynamic bodies at times from 0, turned back if the scene was turned.
@@ -131,10 +133,15 @@ impl Verdict {
 
 pub type Judge = Box<dyn Fn(&Scene, &Track) -> Verdict>;
 
+/// What a judge says of several runs.
+pub type JudgeOfAll = Box<dyn Fn(&[Track]) -> Verdict>;
+
 /// How a case is measured.
 pub enum Trial {
     /// One run, and what a judge says of it.
     Run(Scene, Judge),
+    /// A run of each scene, with the setting's rate or one of its own \[Hz\], and what a judge says of all.
+    Together(Vec<(Scene, Option<f64>)>, JudgeOfAll),
     /// Runs for a parameter, until where the outcome changes is known.
     Threshold(Threshold),
     /// It cannot be done yet; what is primary says why.
@@ -189,6 +196,27 @@ impl Case {
         }
     }
 
+    /// A case of several runs that are compared with each other; named after the first scene.
+    pub fn together(
+        group: char,
+        scenes: Vec<(Scene, Option<f64>)>,
+        duration: f64,
+        judge: JudgeOfAll,
+    ) -> Self {
+        Self {
+            name: scenes[0].0.name,
+            about: scenes[0].0.about,
+            group,
+            reference: Reference::Invariant,
+            primary: "",
+            scale: (1.0, "1"),
+            duration,
+            vary: Vary::Solvers,
+            most_rate: 480.0,
+            trial: Trial::Together(scenes, judge),
+        }
+    }
+
     /// A case whose answer is a parameter.
     pub fn threshold(
         group: char,
@@ -237,6 +265,12 @@ impl Case {
         self
     }
 
+    /// What engines come with is enough: others cost more than they tell.
+    pub fn defaults_only(mut self) -> Self {
+        self.vary = Vary::Nothing;
+        self
+    }
+
     pub fn integrators(mut self) -> Self {
         self.vary = Vary::Integrators;
         self
@@ -252,6 +286,10 @@ impl Case {
         match &self.trial {
             Trial::Run(scene, judge) => {
                 Some(judge(scene, &Track::null(scene, self.duration)).error / self.scale.0)
+            }
+            Trial::Together(scenes, judge) => {
+                let null = |(scene, _): &(Scene, _)| Track::null(scene, self.duration);
+                Some(judge(&scenes.iter().map(null).collect::<Vec<_>>()).error / self.scale.0)
             }
             Trial::Threshold(t) => {
                 let found = bisect(t, |value| {

@@ -47,7 +47,7 @@ pub struct Body {
     pub position: V3,
     /// x, y, z, w, of length 1.
     pub rotation: Q4,
-    /// [m/s]
+    /// Of the centre of mass [m/s].
     pub velocity: V3,
     /// World axes [rad/s].
     pub spin: V3,
@@ -64,11 +64,20 @@ pub struct Body {
     pub mass: Option<Mass>,
 }
 
-/// Mass \[kg\] and principal moments of inertia \[kg m²\] about the body's origin and axes.
+/// Mass \[kg\], centre of mass \[m\] and principal moments of inertia \[kg m²\] about it, along the body's axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mass {
     pub mass: f64,
+    /// From the body's origin.
+    pub center: V3,
     pub inertia: V3,
+}
+
+impl Mass {
+    /// With its centre at the body's origin.
+    pub fn new(mass: f64, inertia: V3) -> Self {
+        Self { mass, center: [0.0; 3], inertia }
+    }
 }
 
 /// A spring and its damper, as seen by the mass it moves.
@@ -167,6 +176,32 @@ impl Push {
     }
 }
 
+/// A load that follows the motion. The lab puts it on as forces, held over a step, so engines need not know it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Load {
+    /// On a body, by index \[N m\].
+    Torque(usize, V3),
+    /// A spring without mass from a point of a body to one of the world.
+    Spring {
+        body: usize,
+        /// In the body's frame \[m\].
+        at: V3,
+        /// In the world \[m\].
+        anchor: V3,
+        /// \[N/m\]
+        stiffness: f64,
+        /// Its length without force \[m\].
+        rest: f64,
+    },
+}
+
+/// What a spring does to a point at `place` \[N\].
+pub fn pull(place: V3, anchor: V3, stiffness: f64, rest: f64) -> V3 {
+    let way = vector::sub(anchor, place);
+    let length = vector::norm(way);
+    vector::scale(way, stiffness * (length - rest) / length)
+}
+
 /// A scene and how to step it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
@@ -191,6 +226,7 @@ pub struct Scene {
     pub bodies: Vec<Body>,
     pub joints: Vec<Joint>,
     pub pushes: Vec<Push>,
+    pub loads: Vec<Load>,
 }
 
 impl Body {
@@ -213,6 +249,16 @@ impl Body {
     pub fn dynamic(form: Form, position: V3) -> Self {
         Self { kind: Kind::Dynamic, ..Self::fixed(form, position) }
     }
+
+    /// Its centre of mass, from its origin.
+    pub fn center(&self) -> V3 {
+        self.mass.map_or([0.0; 3], |m| m.center)
+    }
+
+    /// Whether its centre of mass is not its origin.
+    pub fn has_offset(&self) -> bool {
+        self.center() != [0.0; 3]
+    }
 }
 
 impl Scene {
@@ -232,6 +278,7 @@ impl Scene {
             bodies: Vec::new(),
             joints: Vec::new(),
             pushes: Vec::new(),
+            loads: Vec::new(),
         }
     }
 
@@ -243,6 +290,12 @@ impl Scene {
     /// The same with another surface.
     pub fn floor_of(&mut self, half: V3, surface: impl Fn(Body) -> Body) {
         self.bodies.push(surface(Body::fixed(Form::Box(half), [0.0, -half[1], 0.0])));
+    }
+
+    /// Whether a body's centre of mass is not its origin: an engine may refuse that.
+    #[allow(dead_code, reason = "for engines that refuse it")]
+    pub fn has_offset(&self) -> bool {
+        self.bodies.iter().any(Body::has_offset)
     }
 
     pub fn dynamic_count(&self) -> usize {
@@ -261,6 +314,11 @@ impl Scene {
         }
         for push in &mut scene.pushes {
             push.force = vector::rotate(q, push.force);
+        }
+        for load in &mut scene.loads {
+            match load {
+                Load::Torque(_, v) | Load::Spring { anchor: v, .. } => *v = vector::rotate(q, *v),
+            }
         }
         scene
     }

@@ -141,8 +141,11 @@ impl Box3d {
                         cy: vector([0.0, y, 0.0]),
                         cz: vector([0.0, 0.0, z]),
                     };
-                    let data = b3::b3MassData { mass: mass.mass as f32, center: vector([0.0; 3]), inertia };
+                    let data =
+                        b3::b3MassData { mass: mass.mass as f32, center: vector(mass.center), inertia };
                     b3::b3Body_SetMassData(id, data);
+                    // It has been changed with the centre.
+                    b3::b3Body_SetLinearVelocity(id, vector(body.velocity));
                 }
                 this.all.push(id);
                 if body.kind == Kind::Dynamic {
@@ -226,10 +229,9 @@ impl Engine for Box3d {
         out.extend(self.bodies.iter().map(|&id| {
             // SAFETY: the bodies live as long as the world.
             unsafe {
-                let there = b3::b3Body_GetTransform(id);
-                let q = there.q;
+                let q = b3::b3Body_GetRotation(id);
                 Motion {
-                    position: array(there.p),
+                    position: array(b3::b3Body_GetWorldCenter(id)),
                     rotation: [q.v.x, q.v.y, q.v.z, q.s].map(f64::from),
                     velocity: array(b3::b3Body_GetLinearVelocity(id)),
                     spin: array(b3::b3Body_GetAngularVelocity(id)),

@@ -184,7 +184,7 @@ impl Merev {
             if let Some(mass) = body.mass {
                 let data = MassData {
                     mass: float(mass.mass),
-                    center: Vec3::zeros(),
+                    center: vector(mass.center),
                     inertia: Mat3::from_diagonal(&vector(mass.inertia)),
                 };
                 self.world.body_mut(id)?.set_mass_data(&data)?;
@@ -215,7 +215,9 @@ impl Merev {
         let mut there = motions.iter();
         for body in scene.bodies.iter_mut().filter(|b| b.kind == Kind::Dynamic) {
             let motion = there.next().expect("a motion for every dynamic body");
-            (body.position, body.rotation) = (motion.position, crate::vector::unit(motion.rotation));
+            body.rotation = crate::vector::unit(motion.rotation);
+            let arm = crate::vector::rotate(body.rotation, body.center());
+            body.position = crate::vector::sub(motion.position, arm);
             (body.velocity, body.spin) = (motion.velocity, motion.spin);
         }
         let mut ruler = Self::new(&scene, &methods()[0], &Setting::of(&scene)).ok()?;
@@ -238,7 +240,7 @@ impl Engine for Merev {
         out.clear();
         out.extend(self.bodies.iter().map(|&id| {
             let body = self.world.body(id).expect("a live body");
-            let Pose { p, q } = body.transform();
+            let (p, Pose { q, .. }) = (body.world_center(), body.transform());
             let (v, w) = (body.linear_velocity(), body.angular_velocity());
             Motion {
                 position: [p.x, p.y, p.z].map(double),

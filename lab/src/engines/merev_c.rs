@@ -158,7 +158,7 @@ impl MerevC {
                 };
                 mvBody_SetMassData(
                     id,
-                    mvMassData { mass: float(mass.mass), center: vector([0.0; 3]), inertia },
+                    mvMassData { mass: float(mass.mass), center: vector(mass.center), inertia },
                 );
                 mvBody_SetLinearVelocity(id, vector(body.velocity));
                 mvBody_SetAngularVelocity(id, vector(body.spin));
@@ -240,7 +240,7 @@ impl Engine for MerevC {
     fn motions(&self, out: &mut Vec<Motion>) {
         out.clear();
         out.extend(self.bodies.iter().map(|&id| {
-            let mvWorldTransform { p, q } = mvBody_GetTransform(id);
+            let (p, q) = (mvBody_GetWorldCenter(id), mvBody_GetTransform(id).q);
             let (v, w) = (mvBody_GetLinearVelocity(id), mvBody_GetAngularVelocity(id));
             Motion {
                 position: [p.x, p.y, p.z].map(double),

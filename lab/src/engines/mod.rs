@@ -12,12 +12,12 @@ mod merev_c;
 mod rapier;
 
 use crate::scene::{Body, Kind, Scene};
-use crate::vector::{Q4, V3};
+use crate::vector::{Q4, V3, add, rotate};
 
 /// Where a dynamic body is and how it moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion {
-    /// [m]
+    /// Of the centre of mass [m].
     pub position: V3,
     /// x, y, z, w.
     pub rotation: Q4,
@@ -31,7 +31,9 @@ impl Motion {
     /// As the scene has it at the start.
     pub fn of(body: &Body) -> Self {
         let Body { position, rotation, velocity, spin, .. } = *body;
-        Self { position, rotation, velocity, spin }
+        let center =
+            if body.has_offset() { add(position, rotate(rotation, body.center())) } else { position };
+        Self { position: center, rotation, velocity, spin }
     }
 
     /// Of all dynamic bodies at the start.

@@ -15,8 +15,8 @@ pub struct Rapier {
     world: PhysicsWorld,
     /// All bodies, in the scene's order.
     all: Vec<RigidBodyHandle>,
-    /// The dynamic ones.
-    bodies: Vec<RigidBodyHandle>,
+    /// The dynamic ones, and their centres of mass from their origins.
+    bodies: Vec<(RigidBodyHandle, V3)>,
     /// Bodies that have a force for the next step: Rapier's forces stay.
     pushed: Vec<RigidBodyHandle>,
 }
@@ -75,7 +75,7 @@ impl Rapier {
             .gyroscopic_forces_enabled(true);
         if let Some(mass) = body.mass {
             builder = builder.additional_mass_properties(MassProperties::new(
-                Vector::ZERO,
+                triple(mass.center),
                 mass.mass as f32,
                 triple(mass.inertia),
             ));
@@ -116,7 +116,7 @@ impl Rapier {
         }
         self.all.push(handle);
         if body.kind == Kind::Dynamic {
-            self.bodies.push(handle);
+            self.bodies.push((handle, body.center()));
         }
         Ok(())
     }
@@ -174,15 +174,14 @@ impl Engine for Rapier {
 
     fn motions(&self, out: &mut Vec<Motion>) {
         out.clear();
-        out.extend(self.bodies.iter().map(|&handle| {
-            let body = &self.world.bodies[handle];
+        out.extend(self.bodies.iter().map(|(handle, center)| {
+            let body = &self.world.bodies[*handle];
             let q = *body.rotation();
-            Motion {
-                position: array(body.translation()),
-                rotation: [q.x, q.y, q.z, q.w].map(f64::from),
-                velocity: array(body.linvel()),
-                spin: array(body.angvel()),
-            }
+            let turn = [q.x, q.y, q.z, q.w].map(f64::from);
+            let origin = array(body.translation());
+            let position =
+                if *center == [0.0; 3] { origin } else { vector::add(origin, vector::rotate(turn, *center)) };
+            Motion { position, rotation: turn, velocity: array(body.linvel()), spin: array(body.angvel()) }
         }));
     }
 }

@@ -46,10 +46,17 @@ impl Point<'_> {
     /// Fills in outcome, error and cost; gives further measures.
     fn measure(&self, options: &Options, row: &mut WorkPrecision) -> Vec<(&'static str, f64)> {
         let Self { case, maker, method, setting, turned, .. } = self;
-        let result = try_case(case, maker, method, setting, *turned, options.budget());
+        let is_first = *method == (maker.methods)()[0];
+        let result = try_case(case, maker, method, setting, *turned, options.budget_of(is_first));
         (row.outcome, row.error) = (result.outcome, result.error);
         let in_time = !matches!(result.outcome, Outcome::Timeout | Outcome::Refused);
-        if in_time && let Some(scene) = timed_scene(case) {
+        // A short chart does not run a second time what has taken long: reading is little of that.
+        let long = 1e3 * LONG / case.duration;
+        row.cost_ms = result.cost_ms.filter(|&ms| options.quick && ms > long);
+        if row.cost_ms.is_none()
+            && in_time
+            && let Some(scene) = timed_scene(case)
+        {
             let budget = Duration::from_secs_f64(if options.quick { 0.04 } else { 0.25 });
             let whole = if *turned { scene.turned(crate::case::TURN) } else { scene };
             row.cost_ms = cost(maker, &whole, method, setting, case.duration, budget);
@@ -65,6 +72,9 @@ impl Point<'_> {
             && ladder::work(&self.setting) >= ladder::work(&other.setting)
     }
 }
+
+/// A run that has taken as long as this \[s\] tells its cost well enough for a short chart.
+const LONG: f64 = 0.1;
 
 /// Everything there is to measure, in order.
 fn points<'a>(cases: &'a [Case], options: &Options) -> Vec<Point<'a>> {

@@ -29,7 +29,9 @@ fn stable_spin(maker: &Maker, turned: bool) -> f64 {
 fn spin_track(maker: &Maker, turned: bool) -> Option<Track> {
     let setting = crate::engines::Setting { rate: 240.0, ..ladder::default_setting() };
     let (scene, method) = (group_a::stable_spin_scene(), (maker.methods)()[0]);
-    run_scene(maker, &scene, &method, &setting, 10.0, turned, Duration::from_secs(10)).ok().map(|t| t.0)
+    run_scene(maker, &scene, &method, &setting, 10.0, turned, Duration::from_secs(10))
+        .ok()
+        .map(|run| run.track)
 }
 
 /// What an engine says of a scene in which nothing has happened yet, against the scene: places over their size,

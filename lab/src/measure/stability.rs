@@ -61,7 +61,7 @@ fn stressors() -> Vec<Stressor> {
             scene: "tower",
             name: "stack height",
             unit: "cubes",
-            range: [2.0, 64.0],
+            range: [2.0, 128.0],
             whole: true,
             duration: 10.0,
             build: |n| group_d::tower("tower", "", &vec![1000.0; n as usize]),
@@ -196,7 +196,7 @@ fn search(
         let budget = 2 * options.budget();
         let ended = run_scene(maker, &scene, method, &(s.setting)(value), s.duration, false, budget);
         let ok = match &ended {
-            Ok((track, _)) => (s.survives)(value, &scene, track),
+            Ok(run) => (s.survives)(value, &scene, &run.track),
             Err(_) => false,
         };
         if !ok {

@@ -43,6 +43,25 @@ fn standing_still_is_seen() {
         "c4_sphere",
         "c5_rolling_plate",
         "c8_drag",
+        "c8_drag_sliding",
+        "c9_rod_low",
+        "c9_rod",
+        "c9_rod_paradox",
+        "c9_tipping_box",
+        "c12_tippe_top",
+        "c13_euler_disc",
+        "e6_squeezer",
+        "e6_bricard",
+        "e6_governor",
+        "e7_spring_5_critical",
+        "e9_robot_floats",
+        "e9_robot_falls",
+        "f4_ledge",
+        "g7_yawing",
+        "g7_rolling_prism",
+        "i3_billiard",
+        "j2_galton",
+        "j3_hopper",
         "e1_pendulum_90",
         "e2_double_pendulum",
         "h1_far_5km",
@@ -73,9 +92,16 @@ fn adapters_pass_their_checks() {
 /// Both doors lead to the same room.
 #[test]
 fn c_and_rust_give_the_same_bits() {
-    for name in
-        ["b1_bouncing_ball", "c1_slide_fast", "e3_chain_10", "e7_spring_20", "c4_prism_16", "e8_cantilever"]
-    {
+    for name in [
+        "b1_bouncing_ball",
+        "c1_slide_fast",
+        "c12_tippe_top",
+        "e6_squeezer",
+        "e3_chain_10",
+        "e7_spring_20",
+        "c4_prism_16",
+        "e8_cantilever",
+    ] {
         let case = case(name);
         let errors: Vec<_> = ["merev", "merev_c"]
             .into_iter()
@@ -108,6 +134,19 @@ fn smooth_cases_are_met() {
         let method = (maker.methods)()[0];
         let error = try_case(&case, maker, &method, &setting, true, Duration::from_secs(20)).error.unwrap();
         assert!(error < bound, "{name}: {error}");
+    }
+}
+
+/// A stiff spring that is followed well is fast, and has not exploded.
+#[test]
+fn a_fast_spring_has_not_exploded() {
+    let maker = &crate::engines::ALL[0];
+    for name in ["e7_spring_60", "e7_spring_120"] {
+        let case = case(name);
+        let setting = Setting::new(1920.0, 4);
+        let method = (maker.methods)()[0];
+        let tried = try_case(&case, maker, &method, &setting, false, Duration::from_secs(20));
+        assert!(tried.error.is_some_and(|e| e < 1e-3), "{name}: {:?} {:?}", tried.outcome, tried.error);
     }
 }
 

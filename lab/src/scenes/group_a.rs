@@ -140,7 +140,7 @@ fn soft_spring() -> Case {
     scene.gravity = [0.0; 3];
     let w = 2000.0_f64.sqrt();
     for x in [-0.6, 0.6] {
-        let mass = Some(Mass { mass: 1.0, inertia: [4e-3; 3] });
+        let mass = Some(Mass::new(1.0, [4e-3; 3]));
         scene.bodies.push(Body { collides: false, mass, ..Body::dynamic(Form::Sphere(0.1), [x, 0.0, 0.0]) });
     }
     let spring = Spring { hertz: w / TAU, damping_ratio: 0.0, mass: 0.5 };

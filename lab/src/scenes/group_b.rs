@@ -13,6 +13,8 @@ pub fn cases() -> Vec<Case> {
         bouncing_ball(),
         elastic_balls(),
         cradle("b3_cradle", "five balls with gaps of 2 mm, elastic", 2e-3, 1.0),
+        cradle("b3_cradle_close", "five balls with gaps of 0.1 mm, elastic", 1e-4, 1.0),
+        cradle("b3_cradle_wide", "five balls with gaps of 20 mm, elastic", 2e-2, 1.0),
         cradle("b3_cradle_touching", "five balls that touch, elastic", 0.0, 1.0),
         cradle("b3_cradle_inelastic", "five balls with gaps of 2 mm, e = 0.9", 2e-3, 0.9),
         rod(0.0),

@@ -1,6 +1,6 @@
 //! C: friction and rolling.
 
-use super::{G, scene};
+use super::{G, rods, scene, tops};
 use crate::case::{Case, Reference, Threshold, Track};
 use crate::engines::Motion;
 use crate::scene::{Body, Course, Form, Hold, Joint, Mass, Push, Scene};
@@ -19,21 +19,20 @@ pub fn cases() -> Vec<Case> {
         ramp("c4_sphere", "a ball rolls down a slope", 0.4, None),
         ramp("c4_hoop", "a ball with the inertia of a hoop rolls down a slope", 1.0, None),
         ramp("c4_prism_64", "a prism of 64 sides rolls like a cylinder", 0.5, Some(64)),
+        ramp("c4_prism_32", "a prism of 32 sides, against a cylinder", 0.5, Some(32)),
         ramp("c4_prism_16", "a prism of 16 sides, against a cylinder", 0.5, Some(16)),
         rolling_plate(),
         drag(),
+        drag_sliding(),
         tall_box(),
         tip(),
+        push_over(),
         grip(),
-        Case::missing(
-            'C',
-            "c9_painleve_rod",
-            "a slender rod slides where Coulomb's law has no answer",
-            super::NO_RULER,
-        ),
-        Case::missing('C', "c12_tippe_top", "a top that turns over", super::NO_OFFSET),
-        Case::missing('C', "c13_euler_disc", "a coin that rolls to rest", super::NO_RULER),
     ]
+    .into_iter()
+    .chain(rods::cases())
+    .chain(tops::cases())
+    .collect()
 }
 
 /// A slope of this angle that falls towards +x: all turned but gravity.
@@ -167,7 +166,7 @@ fn ramp(name: &'static str, about: &'static str, inertia: f64, sides: Option<usi
         }
     };
     let depth = sides.map_or(r, |n| r * libm::cos(PI / n as f64));
-    let mass = Some(Mass { mass: 100.0, inertia: [100.0 * inertia * r * r; 3] });
+    let mass = Some(Mass::new(100.0, [100.0 * inertia * r * r; 3]));
     flat.bodies.push(surface(Body { mass, ..Body::dynamic(form, [0.0, depth, 0.0]) }));
     let scene = slope(flat, angle);
     let way = 0.5 * G * libm::sin(angle) / (1.0 + inertia) * 4.0;
@@ -195,7 +194,7 @@ fn rolling_plate() -> Case {
     scene.bodies.push(plate);
     for k in 0..25 {
         let at = [2.0 * f64::from(k % 5) - 4.0, 1.5, 2.0 * f64::from(k / 5) - 4.0];
-        let mass = Some(Mass { mass: 1.0, inertia: [0.1; 3] });
+        let mass = Some(Mass::new(1.0, [0.1; 3]));
         scene.bodies.push(Body { friction: 1.6, mass, ..Body::dynamic(Form::Sphere(0.5), at) });
     }
     let way = [0.5, 0.0, 0.75_f64.sqrt()];
@@ -247,6 +246,33 @@ fn drag() -> Case {
         .scale(way, "m, that way")
 }
 
+/// The same with a speed at the start, so that it slides all the time.
+fn drag_sliding() -> Case {
+    let about = "a sliding cube is pulled harder and harder";
+    let mut scene = box_on_floor("c8_drag_sliding", about, [0.1; 3], 0.4);
+    scene.bodies[1].density = 125.0;
+    scene.bodies[1].velocity = [1.0, 0.0, 0.0];
+    let cap = 0.9 * 2.0 * G;
+    let course = Course::Ramp(4.0 * G / cap);
+    scene.pushes.push(Push { body: 1, force: [cap, 0.0, 0.0], at: [0.0; 3], course });
+    let (full, duration) = (0.45, 1.098);
+    // The force over the mass is 4 g t, until it is full.
+    let v1 = 1.0 + 2.0 * G * full * full - 0.4 * G * full;
+    let x1 = full + 2.0 / 3.0 * G * full * full * full - 0.2 * G * full * full;
+    let rest = duration - full;
+    let way = x1 + v1 * rest + 0.5 * (cap - 0.4 * G) * rest * rest;
+    let judge = move |_: &Scene, track: &Track| {
+        let moved = sub(track.last()[0].position, track.first()[0].position);
+        let height = track.greatest(|f| f[0].position[1]) - 0.1;
+        super::verdict((moved[0] - way).abs())
+            .and("lift_m", height.max(0.0))
+            .and("sideways_m", moved[2].abs())
+    };
+    Case::run('C', Reference::ClosedForm, scene, duration, Box::new(judge))
+        .primary("error of the way at the end")
+        .scale(way, "m, that way")
+}
+
 fn tall_box() -> Case {
     let mut scene =
         box_on_floor("c9_tall_box", "a box slides at the edge of tipping over", [0.15, 0.3, 0.6], 0.5);
@@ -281,6 +307,38 @@ fn tip() -> Case {
             beyond: Box::new(beyond),
             exact: 0.5,
             range: [0.3, 0.8],
+            halvings: 11,
+        },
+    )
+}
+
+/// A box that is pushed with 0.7 of its weight at a height over its base; friction holds it up to 0.9.
+fn push_over() -> Case {
+    let build = |height: f64| {
+        let mut scene = box_on_floor("c10_push", "", [0.25, 0.5, 0.25], 0.9);
+        let force = 0.7 * 1000.0 * 0.25 * G;
+        scene.pushes.push(Push {
+            body: 1,
+            force: [force, 0.0, 0.0],
+            at: [-0.25, height - 0.5, 0.0],
+            course: Course::Constant,
+        });
+        scene
+    };
+    let beyond = |track: &Track| {
+        let up = |m: &Motion| rotate(m.rotation, [0.0, 1.0, 0.0]);
+        angle(up(&track.last()[0]), up(&track.first()[0])) > 0.2
+    };
+    Case::threshold(
+        'C',
+        "c10_push",
+        "the height at which a push tips a tall box over",
+        3.0,
+        Threshold {
+            scene: Box::new(build),
+            beyond: Box::new(beyond),
+            exact: 0.25 / 0.7,
+            range: [0.1, 0.9],
             halvings: 11,
         },
     )

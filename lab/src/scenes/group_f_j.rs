@@ -1,27 +1,47 @@
 //! F to J: fast bodies, geometry, scale, long runs, ensembles.
 
-use super::{MESH, group_a, group_c, scene};
+use super::{MESH, group_a, group_c, group_d, scene};
 use crate::case::{Case, Reference, Track};
 use crate::engines::Motion;
-use crate::metrics::{angular_momentum, energy, kinetic, momentum};
+use crate::metrics::{angular_momentum, apexes, energy, kinetic, momentum};
 use crate::records::Outcome;
 use crate::scene::{Body, Form, Joint, Scene};
 use crate::vector::{V3, add, norm, rotate, scale, sub, unit};
 
 pub fn cases() -> Vec<Case> {
     vec![
-        bullet("f1_wall_50", "balls at 50 m/s against a wall of 20 mm", 50.0, false),
-        bullet("f1_wall_300", "balls at 300 m/s against a wall of 20 mm", 300.0, false),
-        bullet("f2_plate_50", "balls at 50 m/s against loose plates of 20 mm", 50.0, true),
+        bullet("f1_wall_50", "balls at 50 m/s against a wall of 20 mm", bullet_scene(50.0, false), 50.0),
+        bullet("f1_wall_300", "balls at 300 m/s against a wall of 20 mm", bullet_scene(300.0, false), 300.0),
+        bullet("f1_thin_wall_50", "balls at 50 m/s against a wall of 2 mm", thin_wall_scene(50.0), 50.0),
+        bullet(
+            "f2_plate_50",
+            "balls at 50 m/s against loose plates of 20 mm",
+            bullet_scene(50.0, true),
+            50.0,
+        ),
         ghost(),
+        ledge(),
         bounce_house(),
+        thin_box(),
         Case::missing('F', "f5_into_mesh", "fast hulls into a mesh", MESH),
         seam(),
         thin_plate(),
+        needle(),
         extreme_size(),
+        on_a_globe(),
+        Case::missing(
+            'G',
+            "g2_closest_points",
+            "a million pairs of shapes",
+            "bodies' motions do not show distances and normals; `cargo bench --bench fuzz_pairs` measures them",
+        ),
+        Case::missing('G', "g3_sliver", "the normal of a sliver triangle", MESH),
         Case::missing('G', "g1_internal_edges", "a box slides over a triangle grid", MESH),
         Case::missing('G', "g4_plate_on_mesh", "thin plates on a mesh", MESH),
         Case::missing('G', "g5_large_triangle", "a small box on a large triangle", MESH),
+        far_drift("h1_far_1km", "a free body 1 km from the origin", 1e3),
+        far_drift("h1_far_20km", "a free body 20 km from the origin", 2e4),
+        far_drift("h1_far_1000km", "a free body 1000 km from the origin", 1e6),
         far_drift("h1_far_5km", "a free body 5 km from the origin", 5e3),
         far_drift("h1_far_100km", "a free body 100 km from the origin", 1e5),
         far_stack("h2_far_stack_1km", "five boxes 1 km from the origin", 1e3),
@@ -30,17 +50,18 @@ pub fn cases() -> Vec<Case> {
         scaled("h3_large", "five cubes of 100 m", 100.0),
         boosted(),
         creep(),
+        resting_stack(),
         long_spin(),
+        billiard(),
         momentum_audit(),
         dice(),
-        Case::missing('J', "j3_hopper", "grains flow out of a hopper", MESH),
         Case::missing('J', "j5_tosses", "measured tosses of a cube", "the data are not shipped with the lab"),
     ]
 }
 
-fn bullet(name: &'static str, about: &'static str, speed: f64, loose: bool) -> Case {
-    let mut scene = bullet_scene(speed, loose);
-    (scene.name, scene.about) = (name, about);
+fn bullet(name: &'static str, about: &'static str, scene: Scene, speed: f64) -> Case {
+    let loose = scene.dynamic_count() > BULLETS;
+    let scene = Scene { name, about, ..scene };
     let judge = move |scene: &Scene, track: &Track| {
         let through = tunnelled(track);
         let off = track.last()[..BULLETS].iter().map(|m| m.velocity[0].max(0.0)).fold(0.0, f64::max);
@@ -88,6 +109,16 @@ pub fn bullet_scene(speed: f64, loose: bool) -> Scene {
     scene
 }
 
+/// The same with walls of 2 mm, whose near side is where it was.
+fn thin_wall_scene(speed: f64) -> Scene {
+    let mut scene = bullet_scene(speed, false);
+    for wall in &mut scene.bodies[BULLETS..] {
+        wall.form = Form::Box([0.001, 0.5, 0.5]);
+        wall.position[0] = 0.001;
+    }
+    scene
+}
+
 /// How many balls have come through.
 pub fn tunnelled(track: &Track) -> usize {
     let last = track.last();
@@ -112,6 +143,53 @@ fn ghost() -> Case {
     Case::run('F', Reference::ClosedForm, scene, 0.4, Box::new(judge))
         .primary("change of velocity")
         .scale(20.0, "m/s, its speed")
+}
+
+fn ledge() -> Case {
+    let mut scene = scene("f4_ledge", "a ball flies under a ledge at 20 m/s, 5 mm away");
+    scene.gravity = [0.0; 3];
+    scene.bodies.push(Body::fixed(Form::Box([0.5, 0.1, 0.5]), [0.0, 0.1, 0.0]));
+    let velocity = [20.0, 0.0, 0.0];
+    scene.bodies.push(Body { velocity, ..Body::dynamic(Form::Sphere(0.2), [-3.0, -0.205, 0.0]) });
+    let judge = |_: &Scene, track: &Track| {
+        let m = &track.last()[0];
+        super::verdict(norm(sub(m.velocity, [20.0, 0.0, 0.0]))).and("spin_rad_s", norm(m.spin))
+    };
+    Case::run('F', Reference::ClosedForm, scene, 0.4, Box::new(judge))
+        .primary("change of velocity")
+        .scale(20.0, "m/s, its speed")
+}
+
+/// Ten boxes of 1 m in a room of 10 m whose walls are 10 cm thick.
+fn thin_box() -> Case {
+    let mut scene = scene("f5_thin_box", "ten boxes at 400 m/s in a room with thin walls");
+    scene.gravity = [0.0; 3];
+    for axis in 0..3 {
+        for side in [-1.0, 1.0] {
+            let (mut half, mut at) = ([5.2; 3], [0.0; 3]);
+            (half[axis], at[axis]) = (0.05, 5.05 * side);
+            scene.bodies.push(Body::fixed(Form::Box(half), at));
+        }
+    }
+    let mut random = super::Random::new(5);
+    for k in 0..10 {
+        let at = [k % 3, k / 3 % 3, k / 9].map(|i| 2.0 * f64::from(i) - 2.0);
+        let way = unit_of([random.half(), random.half(), random.half()]);
+        let velocity = scale(way, 400.0);
+        scene.bodies.push(Body { velocity, ..Body::dynamic(Form::Box([0.5; 3]), at) });
+    }
+    let judge = |_: &Scene, track: &Track| {
+        let out = |m: &&Motion| m.position.iter().any(|x| x.abs() > 5.0);
+        let escaped = track.last().iter().filter(out).count();
+        let mut verdict = super::verdict(escaped as f64 / 10.0).and("escaped", escaped as f64);
+        if escaped > 0 {
+            verdict.outcome = Some(Outcome::Tunnelled);
+        }
+        verdict
+    };
+    Case::run('F', Reference::Invariant, scene, 1.0, Box::new(judge))
+        .primary("share of boxes outside at the end; tunnelled if any is")
+        .most_rate(240.0)
 }
 
 fn bounce_house() -> Case {
@@ -198,6 +276,37 @@ fn thin_plate() -> Case {
     Case::run('G', Reference::ClosedForm, plate_scene(0.002), 3.0, Box::new(judge))
         .primary("greatest error of the height of its centre and of its lowest corner")
         .scale(0.002, "m, its thickness")
+        .most_rate(480.0)
+}
+
+fn needle() -> Case {
+    let mut scene = scene("g4_needle", "a needle of 1 m and 1 mm falls flat");
+    scene.floor([20.0, 1.0, 20.0]);
+    scene.bodies.push(Body::dynamic(Form::Box([0.5, 0.0005, 0.0005]), [0.0, 0.0105, 0.0]));
+    let judge = |_: &Scene, track: &Track| {
+        let m = &track.last()[0];
+        let off =
+            [-0.5, 0.0, 0.5].map(|x| (add(m.position, rotate(m.rotation, [x, 0.0, 0.0]))[1] - 5e-4).abs());
+        super::verdict(off.into_iter().fold(0.0, f64::max)).and("speed_m_s", norm(m.velocity))
+    };
+    Case::run('G', Reference::ClosedForm, scene, 2.0, Box::new(judge))
+        .primary("greatest error of the height of its middle and its ends")
+        .scale(0.001, "m, its thickness")
+        .most_rate(480.0)
+}
+
+/// The ground is level to 1e-8 m under the box, and its middle a kilometre away.
+fn on_a_globe() -> Case {
+    let mut scene = scene("g5_on_a_globe", "a box of 1 cm on a ball of 2 km");
+    scene.bodies.push(Body::fixed(Form::Sphere(1000.0), [0.0, -1000.0, 0.0]));
+    scene.bodies.push(Body::dynamic(Form::Box([0.005; 3]), [0.0, 0.005, 0.0]));
+    let judge = |_: &Scene, track: &Track| {
+        let moved = norm(sub(track.last()[0].position, track.first()[0].position));
+        super::verdict(moved).and("speed_m_s", norm(track.last()[0].velocity))
+    };
+    Case::run('G', Reference::ClosedForm, scene, 2.0, Box::new(judge))
+        .primary("distance from its place, at the end")
+        .scale(0.01, "m, its side")
         .most_rate(480.0)
 }
 
@@ -308,6 +417,49 @@ fn creep() -> Case {
     Case::run('I', Reference::Invariant, scene, 60.0, Box::new(judge))
         .primary("way after the first sixth of the time")
         .scale(1.0, "m, the side")
+        .most_rate(240.0)
+}
+
+fn resting_stack() -> Case {
+    let about = "ten cubes on each other for two minutes: what they would creep in an hour";
+    let scene = group_d::tower("i1_stack", about, &[1000.0; 10]);
+    let judge = |_: &Scene, track: &Track| {
+        let from = track.len() / 6;
+        let pairs = || track.frames[from].iter().zip(track.last());
+        let moved = pairs().map(|(a, b)| norm(sub(b.position, a.position))).fold(0.0, f64::max);
+        let turned = pairs().map(|(a, b)| crate::vector::angle_between(a.rotation, b.rotation));
+        let hours = (track.end() - track.times[from]) / 3600.0;
+        super::verdict(moved / hours).and("turn_rad_per_h", turned.fold(0.0, f64::max) / hours)
+    };
+    Case::run('I', Reference::Invariant, scene, 120.0, Box::new(judge))
+        .primary("greatest way of a cube after the first sixth of the time, an hour")
+        .scale(1.0, "m/h")
+        .most_rate(60.0)
+        .defaults_only()
+}
+
+fn billiard() -> Case {
+    let mut scene = scene("i3_billiard", "an elastic ball bounces 20 cm high for two minutes");
+    scene.restitution_threshold = Some(0.0);
+    let surface = |b: Body| Body { restitution: 1.0, friction: 0.0, ..b };
+    scene.floor_of([5.0, 1.0, 5.0], surface);
+    scene.bodies.push(surface(Body::dynamic(Form::Sphere(0.05), [0.0, 0.25, 0.0])));
+    let judge = |_: &Scene, track: &Track| {
+        let heights = track.series(|f| f[0].position[1] - 0.05);
+        let found = apexes(&heights, &track.series(|f| f[0].velocity[1]), super::G);
+        // At the height that it has, it should have bounced about so often.
+        let enough = 0.8 * track.end() / (2.0 * (2.0 * 0.2 / super::G).sqrt());
+        let off = |h: &f64| (h / 0.2 - 1.0).abs();
+        let late = &found[found.len() - found.len().min(10)..];
+        let worst = late.iter().map(off).fold(0.0, f64::max);
+        let count = found.len() as f64;
+        let drift = late.last().map_or(0.0, |h| (h / found[0] - 1.0) / count.max(1.0));
+        super::verdict(if count > 0.5 * enough { worst } else { 1.0 })
+            .and("drift_per_bounce", drift)
+            .and("bounces", count)
+    };
+    Case::run('I', Reference::ClosedForm, scene, 120.0, Box::new(judge))
+        .primary("greatest relative error of the last ten heights; 1 if it no longer bounces")
         .most_rate(240.0)
 }
 

@@ -1,6 +1,7 @@
 //! The scenes, grouped by what they are about. To add one, write its builder in a group file and list it here.
 
 mod bounce;
+mod grains;
 pub mod group_a;
 mod group_b;
 pub mod group_c;
@@ -8,11 +9,16 @@ pub mod group_d;
 pub mod group_e;
 pub mod group_f_j;
 pub mod joints;
+mod loops;
 mod machines;
 mod piles;
 mod pyramids;
 mod ragdolls;
+mod rods;
 mod stacks;
+mod symmetry;
+mod tops;
+mod touching;
 
 use crate::case::{Case, Verdict};
 use crate::scene::Scene;
@@ -21,8 +27,6 @@ use crate::scene::Scene;
 pub const G: f64 = 9.81;
 
 const MESH: &str = "the engine has no meshes yet";
-const NO_RULER: &str = "the lab has no reference for it yet";
-const NO_OFFSET: &str = "the lab's bodies have their centre of mass at their origin";
 
 /// A scene of the groups A to J.
 fn scene(name: &'static str, about: &'static str) -> Scene {
@@ -52,9 +56,20 @@ impl Random {
 
 /// Every case of the catalogue, by group.
 pub fn cases() -> Vec<Case> {
-    let groups: [fn() -> Vec<Case>; 6] =
-        [group_a::cases, group_b::cases, group_c::cases, group_d::cases, group_e::cases, group_f_j::cases];
-    groups.iter().flat_map(|cases| cases()).collect()
+    let groups: [fn() -> Vec<Case>; 9] = [
+        group_a::cases,
+        group_b::cases,
+        group_c::cases,
+        group_d::cases,
+        group_e::cases,
+        group_f_j::cases,
+        grains::cases,
+        touching::cases,
+        symmetry::cases,
+    ];
+    let mut all: Vec<Case> = groups.iter().flat_map(|cases| cases()).collect();
+    all.sort_by_key(|case| case.group);
+    all
 }
 
 /// Every scene's builder.
