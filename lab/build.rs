@@ -8,6 +8,49 @@ fn main() {
     if std::env::var_os("CARGO_FEATURE_PEERS").is_some() {
         build_box3d();
     }
+    println!("cargo:rerun-if-changed=c/peer.h");
+    if std::env::var_os("CARGO_FEATURE_ODE").is_some() {
+        build_ode();
+    }
+}
+
+/// The shim of ODE, which the system has installed.
+fn build_ode() {
+    let package = Package::find("ode", "Debian and its kin have it in the package libode-dev");
+    println!("cargo:rerun-if-changed=c/ode.c");
+    let mut build = cc::Build::new();
+    build.file("c/ode.c").includes(&package.includes).std("c11").extra_warnings(true).compile("lab_ode");
+    package.link();
+}
+
+/// A library as pkg-config describes it.
+struct Package {
+    includes: Vec<PathBuf>,
+    folders: Vec<String>,
+    libraries: Vec<String>,
+}
+
+impl Package {
+    fn find(name: &str, hint: &str) -> Self {
+        let output = std::process::Command::new("pkg-config").args(["--cflags", "--libs", name]).output();
+        let output = output.ok().filter(|o| o.status.success());
+        let output = output.unwrap_or_else(|| panic!("pkg-config finds no library {name}: {hint}"));
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        let flags = |flag: &str| -> Vec<String> {
+            text.split_whitespace().filter_map(|w| w.strip_prefix(flag)).map(String::from).collect()
+        };
+        Self {
+            includes: flags("-I").into_iter().map(PathBuf::from).collect(),
+            folders: flags("-L"),
+            libraries: flags("-l"),
+        }
+    }
+
+    /// After the shim: it is what needs the library.
+    fn link(&self) {
+        self.folders.iter().for_each(|f| println!("cargo:rustc-link-search=native={f}"));
+        self.libraries.iter().for_each(|l| println!("cargo:rustc-link-lib={l}"));
+    }
 }
 
 /// The programs in `c`, against the library's header. They find the library itself in the merev crate.

@@ -10,6 +10,8 @@ pub mod merev;
 mod merev_c;
 #[cfg(feature = "peers")]
 mod rapier;
+#[cfg(feature = "ode")]
+mod shim;
 
 use crate::scene::{Body, Kind, Scene};
 use crate::vector::{Q4, V3};
@@ -169,6 +171,14 @@ pub const ALL: &[Maker] = &[
         precision: "f32",
         methods: rapier::methods,
         build: |scene, _, setting| Ok(Box::new(rapier::Rapier::new(scene, setting)?)),
+    },
+    #[cfg(feature = "ode")]
+    Maker {
+        name: "ODE",
+        key: "ode",
+        precision: "f64",
+        methods: shim::ode::methods,
+        build: |scene, method, setting| Ok(Box::new(shim::ode::build(scene, method, setting)?)),
     },
 ];
 
