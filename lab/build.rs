@@ -12,6 +12,43 @@ fn main() {
     if std::env::var_os("CARGO_FEATURE_ODE").is_some() {
         build_ode();
     }
+    if std::env::var_os("CARGO_FEATURE_MUJOCO").is_some() {
+        build_mujoco();
+    }
+}
+
+/// The shim of MuJoCo. Its library is found at run time where it was found now.
+fn build_mujoco() {
+    println!("cargo:rerun-if-env-changed=MUJOCO_DIR");
+    println!("cargo:rerun-if-changed=c/mujoco.c");
+    let root = mujoco_root();
+    let library = [root.clone(), root.join("lib")]
+        .iter()
+        .filter_map(|folder| std::fs::read_dir(folder).ok())
+        .flat_map(|files| files.filter_map(|f| Some(f.ok()?.path())))
+        .filter(|p| p.file_name().is_some_and(|n| n.to_string_lossy().starts_with("libmujoco.so")))
+        .min();
+    let library = library.unwrap_or_else(|| panic!("no libmujoco.so in {}: {MUJOCO_HINT}", root.display()));
+    let mut build = cc::Build::new();
+    build.file("c/mujoco.c").include(root.join("include")).std("c11").extra_warnings(true);
+    build.compile("lab_mujoco");
+    let folder = library.parent().expect("a folder");
+    println!("cargo:rustc-link-arg={}", library.display());
+    println!("cargo:rustc-link-arg=-Wl,-rpath,{}", folder.display());
+}
+
+const MUJOCO_HINT: &str = "`pip install mujoco` brings library and headers; MUJOCO_DIR names their folder if `python3` does not find them";
+
+/// The folder of library and headers: MUJOCO_DIR, or where Python has its package.
+fn mujoco_root() -> PathBuf {
+    if let Some(root) = std::env::var_os("MUJOCO_DIR") {
+        return root.into();
+    }
+    let ask = "import importlib.util as u; print(u.find_spec('mujoco').submodule_search_locations[0])";
+    let output = std::process::Command::new("python3").args(["-c", ask]).output();
+    let output = output.ok().filter(|o| o.status.success());
+    let output = output.unwrap_or_else(|| panic!("MuJoCo is not found: {MUJOCO_HINT}"));
+    String::from_utf8_lossy(&output.stdout).trim().into()
 }
 
 /// The shim of ODE, which the system has installed.

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <ode/ode.h>
 #include <pthread.h>
+#include <setjmp.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,6 +18,8 @@ typedef struct {
     unsigned count, joint_count, sub_steps;
     double dt, bounce_speed;
     int solver;
+    /* Whether ODE has given up in a step. */
+    int failed;
     /* Of ODE's generator, which is one for all worlds: each goes on from its own. */
     unsigned long seed;
     peer_body *bodies;
@@ -37,12 +40,26 @@ static void quiet(int number, const char *format, va_list arguments) {
     (void)number, (void)format, (void)arguments;
 }
 
+static _Thread_local jmp_buf *escape;
+
+/* ODE would end the program where a number is not finite. */
+static void give_up(int number, const char *format, va_list arguments) {
+    (void)number;
+    if (escape) {
+        longjmp(*escape, 1);
+    }
+    vfprintf(stderr, format, arguments);
+    abort();
+}
+
 static void start_ode(void) {
     static int started = 0;
     if (!started) {
         dInitODE2(0);
         /* The pivoting solver complains by the thousand; what comes of it is measured. */
         dSetMessageHandler(quiet);
+        dSetErrorHandler(give_up);
+        dSetDebugHandler(give_up);
         started = 1;
     }
     dAllocateODEDataForThread(dAllocateMaskAll);
@@ -118,6 +135,19 @@ static dGeomID make_shape(ode_world *w, const peer_scene *scene, const peer_shap
         return dCreateConvex(w->space, h->planes, h->plane_count, h->points, h->point_count, h->polygons);
     }
     }
+}
+
+/* ODE without libccd lets hulls and boxes pass through each other. */
+static int meets_hulls(ode_world *w, const peer_scene *scene) {
+    int meets = 1;
+    for (unsigned h = 0; h < scene->hull_count && meets; h++) {
+        peer_shape hull = {.kind = PEER_HULL, .hull = h}, box = {.kind = PEER_BOX, .size = {1e-3, 1e-3, 1e-3}};
+        dGeomID a = make_shape(w, scene, &hull), b = make_shape(w, scene, &hull), c = make_shape(w, scene, &box);
+        dContactGeom contact;
+        meets = dCollide(a, b, 1, &contact, sizeof contact) > 0 && dCollide(a, c, 1, &contact, sizeof contact) > 0;
+        dGeomDestroy(a), dGeomDestroy(b), dGeomDestroy(c);
+    }
+    return meets;
 }
 
 static void add_shapes(ode_world *w, const peer_scene *scene, unsigned index) {
@@ -311,7 +341,7 @@ void *ode_create(const peer_scene *scene, const peer_setting *setting, char *why
         add_body(w, scene, k, setting->integrator == 1);
     }
     fill_joined(w, scene);
-    const char *problem = NULL;
+    const char *problem = meets_hulls(w, scene) ? NULL : "this build of ODE has no collision of hulls";
     for (unsigned k = 0; k < scene->joint_count && !problem; k++) {
         problem = add_joint(w, scene, &scene->joints[k]);
     }
@@ -324,10 +354,7 @@ void *ode_create(const peer_scene *scene, const peer_setting *setting, char *why
     return w;
 }
 
-void ode_step(void *world) {
-    ode_world *w = world;
-    pthread_mutex_lock(&one);
-    dRandSetSeed(w->seed);
+static void advance(ode_world *w) {
     for (unsigned s = 0; s < w->sub_steps; s++) {
         for (unsigned k = 0; k < w->count; k++) {
             const double *p = w->pushes[k];
@@ -344,6 +371,23 @@ void ode_step(void *world) {
         }
         dJointGroupEmpty(w->contacts);
     }
+}
+
+void ode_step(void *world) {
+    ode_world *w = world;
+    jmp_buf here;
+    if (w->failed) {
+        return;
+    }
+    pthread_mutex_lock(&one);
+    dRandSetSeed(w->seed);
+    escape = &here;
+    if (setjmp(here) == 0) {
+        advance(w);
+    } else {
+        w->failed = 1;
+    }
+    escape = NULL;
     w->seed = dRandGetSeed();
     pthread_mutex_unlock(&one);
     for (unsigned k = 0; k < w->count; k++) {
@@ -388,8 +432,7 @@ void ode_motions(const void *world, peer_motion *out) {
 }
 
 int ode_is_broken(const void *world) {
-    (void)world;
-    return 0;
+    return ((const ode_world *)world)->failed;
 }
 
 void ode_destroy(void *world) {

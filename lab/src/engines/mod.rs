@@ -10,7 +10,7 @@ pub mod merev;
 mod merev_c;
 #[cfg(feature = "peers")]
 mod rapier;
-#[cfg(feature = "ode")]
+#[cfg(any(feature = "ode", feature = "mujoco", feature = "bullet"))]
 mod shim;
 
 use crate::scene::{Body, Kind, Scene};
@@ -179,6 +179,14 @@ pub const ALL: &[Maker] = &[
         precision: "f64",
         methods: shim::ode::methods,
         build: |scene, method, setting| Ok(Box::new(shim::ode::build(scene, method, setting)?)),
+    },
+    #[cfg(feature = "mujoco")]
+    Maker {
+        name: "MuJoCo",
+        key: "mujoco",
+        precision: "f64",
+        methods: shim::mujoco::methods,
+        build: |scene, method, setting| Ok(Box::new(shim::mujoco::build(scene, method, setting)?)),
     },
 ];
 
