@@ -15,6 +15,23 @@ fn main() {
     if std::env::var_os("CARGO_FEATURE_MUJOCO").is_some() {
         build_mujoco();
     }
+    if std::env::var_os("CARGO_FEATURE_BULLET").is_some() {
+        build_bullet();
+    }
+}
+
+/// The shim of Bullet, which the system has installed.
+fn build_bullet() {
+    let package = Package::find("bullet", "Debian and its kin have it in the package libbullet-dev");
+    println!("cargo:rerun-if-changed=c/bullet.cpp");
+    let mut build = cc::Build::new();
+    build.cpp(true).file("c/bullet.cpp").std("c++17").extra_warnings(true);
+    // As Bullet's headers are the system's, their warnings are not ours.
+    package.includes.iter().for_each(|folder| {
+        build.flag("-isystem").flag(folder);
+    });
+    build.compile("lab_bullet");
+    package.link();
 }
 
 /// The shim of MuJoCo. Its library is found at run time where it was found now.

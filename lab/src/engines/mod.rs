@@ -188,6 +188,14 @@ pub const ALL: &[Maker] = &[
         methods: shim::mujoco::methods,
         build: |scene, method, setting| Ok(Box::new(shim::mujoco::build(scene, method, setting)?)),
     },
+    #[cfg(feature = "bullet")]
+    Maker {
+        name: "Bullet",
+        key: "bullet",
+        precision: "f32",
+        methods: shim::bullet::methods,
+        build: |scene, method, setting| Ok(Box::new(shim::bullet::build(scene, method, setting)?)),
+    },
 ];
 
 /// Ours only, or all but those that are ours in another guise.

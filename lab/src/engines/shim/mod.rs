@@ -137,6 +137,8 @@ macro_rules! shim {
     };
 }
 
+#[cfg(feature = "bullet")]
+pub mod bullet;
 #[cfg(feature = "mujoco")]
 pub mod mujoco;
 #[cfg(feature = "ode")]
