@@ -344,6 +344,10 @@ static void add_tendon(maker *m, unsigned index, const peer_joint *j) {
 /* A joint that is not in the tree. */
 static void close_loop(maker *m, unsigned index) {
     const peer_joint *j = &m->scene->joints[index];
+    const peer_body *bodies = m->scene->bodies;
+    if (bodies[j->bodies[0]].kind == PEER_STATIC && bodies[j->bodies[1]].kind == PEER_STATIC) {
+        return;
+    }
     if (j->kind == PEER_BALL) {
         connect(m, j, j->position[0]);
     } else if (j->kind == PEER_HINGE) {

@@ -112,6 +112,11 @@ static void touch(void *data, dGeomID a, dGeomID b) {
     const peer_body *p = &w->bodies[i], *q = &w->bodies[k];
     double bounce = fmax(p->restitution, q->restitution);
     for (int c = 0; c < n; c++) {
+        /* A touch of hulls without depth has a normal of 0, of which ODE would make a number that is none. */
+        const dReal *normal = contacts[c].geom.normal;
+        if (!(dCalcVectorDot3(normal, normal) > 0.5)) {
+            continue;
+        }
         dSurfaceParameters *surface = &contacts[c].surface;
         surface->mode = dContactApprox1 | (bounce > 0.0 ? dContactBounce : 0);
         surface->mu = sqrt(p->friction * q->friction);
@@ -268,7 +273,7 @@ static const char *add_joint(ode_world *w, const peer_scene *scene, const peer_j
     double ends[2][3], axis[3], along[3] = {j->kind == PEER_SLIDER, 0.0, j->kind != PEER_SLIDER};
     dBodyID a = w->ids[j->bodies[0]], b = w->ids[j->bodies[1]];
     if (!a && !b) {
-        return "a joint between static bodies";
+        return NULL;
     }
     for (int k = 0; k < 2; k++) {
         point_of(&scene->bodies[j->bodies[k]], j->position[k], ends[k]);

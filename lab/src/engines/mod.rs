@@ -203,6 +203,25 @@ pub fn racers(peers: bool) -> Vec<Maker> {
     ALL.iter().copied().filter(|m| m.key == "merev" || peers && m.key != "merev_c").collect()
 }
 
+/// Version and licence of the engines that are libraries of the machine.
+pub fn libraries() -> Vec<String> {
+    #[allow(unused_mut, reason = "features add to it")]
+    let mut all: Vec<String> = Vec::new();
+    #[cfg(feature = "ode")]
+    all.push(format!(
+        "ODE {} (LGPL-2.1-or-later or BSD-3-Clause), as the system has it, f64",
+        shim::version(&shim::ode::FUNCTIONS)
+    ));
+    #[cfg(feature = "mujoco")]
+    all.push(format!(
+        "MuJoCo {} (Apache-2.0), as its wheel has it, f64",
+        shim::version(&shim::mujoco::FUNCTIONS)
+    ));
+    #[cfg(feature = "bullet")]
+    all.push(format!("Bullet {} (Zlib), as the system has it, f32", shim::version(&shim::bullet::FUNCTIONS)));
+    all
+}
+
 /// Whether any engine but ours was built in.
 pub fn has_peers() -> bool {
     racers(true).len() > 1

@@ -11,8 +11,8 @@ pub mod stability;
 use crate::case::{self, TURN, Track, Trial};
 use crate::engines::{Engine, Maker, Method, Motion, Setting};
 use crate::records::Outcome;
-use crate::scene::{Kind, Scene};
-use crate::vector::{add, norm, rotate};
+use crate::scene::{Hold, Joint, Kind, Scene};
+use crate::vector::{add, norm, rotate, sub};
 use cpu_time::ThreadTime;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -95,11 +95,29 @@ impl<'a> Runner<'a> {
     }
 }
 
-/// Beyond this speed \[m/s\] a scene has exploded: ten times what it has, and what falling gives it, allow.
+/// What springs give at the start: their stretch times their frequency \[m/s\].
+fn spring_speed(scene: &Scene) -> f64 {
+    let speed = |j: &Joint| {
+        let ends = [0, 1].map(|k| {
+            let body = &scene.bodies[j.bodies[k]];
+            add(body.position, rotate(body.rotation, j.local[k]))
+        });
+        let apart = norm(sub(ends[1], ends[0]));
+        let (stretch, hertz) = match j.hold {
+            Hold::Slider(Some(s)) => (apart, s.hertz),
+            Hold::Spring(length, s) => (apart - length, s.hertz),
+            _ => (0.0, 0.0),
+        };
+        stretch.abs() * std::f64::consts::TAU * hertz
+    };
+    scene.joints.iter().map(speed).fold(0.0, f64::max)
+}
+
+/// Beyond this speed \[m/s\] a scene has exploded: ten times what it has, and what falling and springs give it, allow.
 fn speed_limit(scene: &Scene, duration: f64) -> f64 {
     let fastest = scene.bodies.iter().map(|b| norm(b.velocity)).fold(0.0, f64::max);
     let push = scene.pushes.iter().map(|p| norm(p.force)).fold(0.0, f64::max);
-    10.0 * (fastest + (norm(scene.gravity) + push) * duration + 3.0)
+    10.0 * (fastest + spring_speed(scene) + (norm(scene.gravity) + push) * duration + 3.0)
 }
 
 /// Runs a scene, and gives the way of its bodies, or how else it ended; and what the engine says of its last step.

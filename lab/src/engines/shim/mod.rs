@@ -388,3 +388,6 @@ fn places(method: &Method, solvers: &[&str], integrators: &[&str]) -> Result<[us
     };
     Ok([find(solvers, method.solver)?, find(integrators, method.integrator)?])
 }
+
+#[cfg(test)]
+mod tests;

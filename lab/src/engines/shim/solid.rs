@@ -168,9 +168,7 @@ impl Solid {
         }
         let moments = match body.form {
             Form::Box([x, y, z]) => cuboid([x, y, z]),
-            Form::Sphere(r) => {
-                Moments::plain(4.0 / 3.0 * std::f64::consts::PI * r * r * r, [r * r / 5.0; 3])
-            }
+            Form::Sphere(r) => Moments::plain(4.0 / 3.0 * std::f64::consts::PI * r * r * r, [r * r / 5.0; 3]),
             Form::Capsule(half, r) => capsule(half, r),
             Form::Hull(k) => hulls[k].moments(),
             Form::Boxes(k) => {
