@@ -168,7 +168,7 @@ impl Files {
     }
 }
 
-const NO_PEERS: &str = "no peers were built in; build with `--features peers`";
+const NO_PEERS: &str = "no other engines were built in; build with `--features peers`";
 
 fn main() -> ExitCode {
     match run(Arguments::parse()) {

@@ -7,7 +7,10 @@ use crate::records::Race;
 use crate::scene::Scene;
 use crate::table::{Table, length, milliseconds, share};
 use merev::world::StepReport;
-use std::time::Instant;
+use std::time::{Duration, Instant};
+
+/// How long an engine may take for one run before it is left out.
+const LIMIT: Duration = Duration::from_secs(60);
 
 /// What to run.
 pub struct Options {
@@ -32,13 +35,15 @@ struct Entry {
     residual: Option<f64>,
     /// Sums over all timed steps \[ms\].
     stages: Vec<(&'static str, f64)>,
+    /// Why it takes no part: it refuses the scene, or takes too long.
+    left_out: Option<String>,
 }
 
 /// Runs the scene on the engines in turn, `repeats` times, so that what else the machine does meets all of them
 /// alike, and gives the report.
 ///
 /// # Errors
-/// Why an engine refuses the scene.
+/// Why ours refuses the scene.
 pub fn run(scene: &Scene, options: &Options) -> Result<String, String> {
     let bar = progress::bar(length_of(options), scene.name);
     let entries = race(scene, options, &|steps| bar.inc(steps))?;
@@ -51,10 +56,10 @@ fn length_of(options: &Options) -> u64 {
     (options.repeats * engines::racers(options.peers).len() * options.steps) as u64
 }
 
-/// The same, as rows of race.csv.
+/// The same, as rows of race.csv. The row of an engine that is left out has no numbers.
 ///
 /// # Errors
-/// Why an engine refuses the scene.
+/// Why ours refuses the scene.
 pub fn rows(scene: &Scene, options: &Options, advance: &dyn Fn(u64)) -> Result<Vec<Race>, String> {
     let entries = race(scene, options, advance)?;
     let start = Motion::start(scene);
@@ -63,6 +68,16 @@ pub fn rows(scene: &Scene, options: &Options, advance: &dyn Fn(u64)) -> Result<V
 }
 
 fn race(scene: &Scene, options: &Options, advance: &dyn Fn(u64)) -> Result<Vec<Entry>, String> {
+    race_of(&engines::racers(options.peers), scene, options, advance)
+}
+
+/// The first of them has to take part.
+fn race_of(
+    makers: &[Maker],
+    scene: &Scene,
+    options: &Options,
+    advance: &dyn Fn(u64),
+) -> Result<Vec<Entry>, String> {
     let entry = |maker| Entry {
         maker,
         times: Vec::new(),
@@ -70,29 +85,46 @@ fn race(scene: &Scene, options: &Options, advance: &dyn Fn(u64)) -> Result<Vec<E
         motions: Vec::new(),
         residual: None,
         stages: Vec::new(),
+        left_out: None,
     };
-    let mut entries: Vec<Entry> = engines::racers(options.peers).into_iter().map(entry).collect();
+    let mut entries: Vec<Entry> = makers.iter().copied().map(entry).collect();
     for _ in 0..options.repeats {
-        for entry in &mut entries {
-            let mut engine = entry.maker.race(scene)?;
-            let start = Instant::now();
-            engine.step();
-            entry.first.push(1e3 * start.elapsed().as_secs_f64());
-            let start = Instant::now();
-            for _ in 1..options.steps {
-                engine.step();
-                if options.stages {
-                    add_stages(&mut entry.stages, &engine.stages());
-                }
-            }
-            let elapsed = start.elapsed().as_secs_f64();
-            entry.times.push(1e3 * elapsed / (options.steps - 1) as f64);
-            engine.motions(&mut entry.motions);
-            entry.residual = engine.residual();
+        for entry in entries.iter_mut().filter(|e| e.left_out.is_none()) {
+            entry.left_out = once(scene, options, entry).err();
             advance(options.steps as u64);
         }
     }
-    Ok(entries)
+    match &entries[0].left_out {
+        Some(why) => Err(why.clone()),
+        None => Ok(entries),
+    }
+}
+
+/// One run of one engine.
+fn once(scene: &Scene, options: &Options, entry: &mut Entry) -> Result<(), String> {
+    let mut engine = entry.maker.race(scene)?;
+    let begin = Instant::now();
+    engine.step();
+    let first = begin.elapsed();
+    let start = Instant::now();
+    for _ in 1..options.steps {
+        engine.step();
+        if options.stages {
+            add_stages(&mut entry.stages, &engine.stages());
+        }
+        if begin.elapsed() > LIMIT {
+            return Err(format!("takes more than {} s", LIMIT.as_secs()));
+        }
+    }
+    let elapsed = start.elapsed().as_secs_f64();
+    if engine.is_broken() {
+        return Err("does not come to the end".into());
+    }
+    entry.first.push(1e3 * first.as_secs_f64());
+    entry.times.push(1e3 * elapsed / (options.steps - 1) as f64);
+    engine.motions(&mut entry.motions);
+    entry.residual = engine.residual();
+    Ok(())
 }
 
 fn add_stages(sums: &mut Vec<(&'static str, f64)>, step: &[(&'static str, f32)]) {
@@ -106,7 +138,7 @@ fn add_stages(sums: &mut Vec<(&'static str, f64)>, step: &[(&'static str, f32)])
 fn stage_lines(options: &Options, entries: &[Entry]) -> String {
     let steps = (options.repeats * (options.steps - 1)) as f64;
     let mut text = String::new();
-    for entry in entries.iter().filter(|e| !e.stages.is_empty()) {
+    for entry in entries.iter().filter(|e| e.left_out.is_none() && !e.stages.is_empty()) {
         let parts = entry.stages.iter().map(|(name, ms)| format!("{name} {}", milliseconds(ms / steps)));
         text += &format!("{}: {}\n", entry.maker.name, parts.collect::<Vec<_>>().join(", "));
     }
@@ -120,19 +152,21 @@ fn row(
     start: &[Motion],
     before: Option<&StepReport>,
 ) -> Race {
-    let after = Merev::measure(scene, &entry.motions);
+    let is_in = entry.left_out.is_none();
+    let after = if is_in { Merev::measure(scene, &entry.motions) } else { None };
     let after = after.as_ref();
+    let moved = |f: &dyn Fn() -> f64| if is_in { f() } else { f64::NAN };
     let of = |f: &dyn Fn(&StepReport) -> f64| after.map_or(f64::NAN, f);
     Race {
         scene: scene.name.into(),
         engine: entry.maker.key.into(),
         bodies: scene.dynamic_count(),
         steps: options.steps,
-        median_ms: median(&entry.times),
-        minimum_ms: minimum(&entry.times),
-        first_ms: median(&entry.first),
-        sagged_m: height(start, &entry.motions).1,
-        sideways_m: sideways(start, &entry.motions),
+        median_ms: moved(&|| median(&entry.times)),
+        minimum_ms: moved(&|| minimum(&entry.times)),
+        first_ms: moved(&|| median(&entry.first)),
+        sagged_m: moved(&|| height(start, &entry.motions).1),
+        sideways_m: moved(&|| sideways(start, &entry.motions)),
         overlap_m: of(&|r| double(r.worst_penetration)),
         joint_gap_m: of(&|r| double(r.joint_gap)),
         energy_change: of(&|r| before.map_or(f64::NAN, |b| change(parts(b), parts(r)))),
@@ -155,7 +189,12 @@ fn report(scene: &Scene, options: &Options, entries: &[Entry]) -> String {
         "overlap",
         "energy change",
     ]);
+    let mut left_out = String::new();
     for entry in entries {
+        if let Some(why) = &entry.left_out {
+            left_out += &format!("{} is left out: {why}.\n", entry.maker.name);
+            continue;
+        }
         let row = row(scene, options, entry, &start, before.as_ref());
         table.row([
             entry.maker.name.to_string(),
@@ -172,7 +211,7 @@ fn report(scene: &Scene, options: &Options, entries: &[Entry]) -> String {
     let awake = if scene.sleep { "on" } else { "off" };
     format!(
         "{}: {}\n{} dynamic bodies, {} steps of {:.4} s in {} sub-steps, sleep {awake}, one thread; {} repeats in turn, first \
-         step not timed.\nState after the last step, measured for all with one ruler.\n\n{table}{}",
+         step not timed.\nState after the last step, measured for all with one ruler.\n\n{table}{left_out}{}",
         scene.name,
         scene.about,
         scene.dynamic_count(),
@@ -231,6 +270,22 @@ pub fn minimum(values: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// An engine that refuses a scene is left out, and has a row without numbers; the others race.
+    #[test]
+    fn who_refuses_is_left_out() {
+        let scene = crate::scenes::find("stack_10").unwrap();
+        let options = Options { steps: 3, repeats: 2, peers: false, stages: false };
+        let refusing = Maker { build: |_, _, _| Err("no cubes".into()), ..engines::ALL[0] };
+        let entries = race_of(&[engines::ALL[0], refusing], &scene, &options, &|_| {}).unwrap();
+        assert_eq!(entries[1].left_out.as_deref(), Some("no cubes"));
+        let start = Motion::start(&scene);
+        let rows = [&entries[0], &entries[1]].map(|e| row(&scene, &options, e, &start, None));
+        assert!(rows[0].median_ms > 0.0 && rows[0].sagged_m.is_finite());
+        assert!(rows[1].median_ms.is_nan() && rows[1].overlap_m.is_nan() && rows[1].sagged_m.is_nan());
+        assert!(report(&scene, &options, &entries).contains("merev is left out: no cubes."));
+        assert!(race_of(&[refusing], &scene, &options, &|_| {}).is_err());
+    }
 
     #[test]
     fn median_of_odd_even_and_none() {

@@ -93,14 +93,20 @@ pub struct Spring {
 
 impl Spring {
     /// \[N/m\]
-    #[cfg_attr(not(feature = "peers"), allow(dead_code, reason = "for engines that ask for it"))]
+    #[cfg_attr(
+        not(any(feature = "peers", feature = "ode", feature = "mujoco", feature = "bullet")),
+        allow(dead_code, reason = "for engines that ask for it")
+    )]
     pub fn stiffness(&self) -> f64 {
         let w = std::f64::consts::TAU * self.hertz;
         self.mass * w * w
     }
 
     /// \[N s/m\]
-    #[cfg_attr(not(feature = "peers"), allow(dead_code, reason = "for engines that ask for it"))]
+    #[cfg_attr(
+        not(any(feature = "peers", feature = "ode", feature = "mujoco", feature = "bullet")),
+        allow(dead_code, reason = "for engines that ask for it")
+    )]
     pub fn damping(&self) -> f64 {
         2.0 * self.damping_ratio * self.mass * std::f64::consts::TAU * self.hertz
     }

@@ -10,6 +10,8 @@ pub mod merev;
 mod merev_c;
 #[cfg(feature = "peers")]
 mod rapier;
+#[cfg(any(feature = "ode", feature = "mujoco", feature = "bullet"))]
+mod shim;
 
 use crate::scene::{Body, Kind, Scene};
 use crate::vector::{Q4, V3, add, rotate};
@@ -172,11 +174,54 @@ pub const ALL: &[Maker] = &[
         methods: rapier::methods,
         build: |scene, _, setting| Ok(Box::new(rapier::Rapier::new(scene, setting)?)),
     },
+    #[cfg(feature = "ode")]
+    Maker {
+        name: "ODE",
+        key: "ode",
+        precision: "f64",
+        methods: shim::ode::methods,
+        build: |scene, method, setting| Ok(Box::new(shim::ode::build(scene, method, setting)?)),
+    },
+    #[cfg(feature = "mujoco")]
+    Maker {
+        name: "MuJoCo",
+        key: "mujoco",
+        precision: "f64",
+        methods: shim::mujoco::methods,
+        build: |scene, method, setting| Ok(Box::new(shim::mujoco::build(scene, method, setting)?)),
+    },
+    #[cfg(feature = "bullet")]
+    Maker {
+        name: "Bullet",
+        key: "bullet",
+        precision: "f32",
+        methods: shim::bullet::methods,
+        build: |scene, method, setting| Ok(Box::new(shim::bullet::build(scene, method, setting)?)),
+    },
 ];
 
 /// Ours only, or all but those that are ours in another guise.
 pub fn racers(peers: bool) -> Vec<Maker> {
     ALL.iter().copied().filter(|m| m.key == "merev" || peers && m.key != "merev_c").collect()
+}
+
+/// Version and licence of the engines that are libraries of the machine.
+pub fn libraries() -> Vec<String> {
+    #[allow(unused_mut, reason = "features add to it")]
+    let mut all: Vec<String> = Vec::new();
+    #[cfg(feature = "ode")]
+    all.push(format!(
+        "ODE {} (LGPL-2.1-or-later or BSD-3-Clause), as the system has it, f64",
+        shim::version(&shim::ode::FUNCTIONS)
+    ));
+    #[cfg(feature = "mujoco")]
+    all.push(format!(
+        "MuJoCo {} (Apache-2.0), as its wheel has it, f64",
+        shim::version(&shim::mujoco::FUNCTIONS)
+    ));
+    #[cfg(feature = "bullet")]
+    all.push(format!("Bullet {} (Zlib), as the system has it, f32", shim::version(&shim::bullet::FUNCTIONS)));
+    all
 }
 
 /// Whether any engine but ours was built in.

@@ -13,7 +13,13 @@ pub fn write(options: &Options, command: &str) -> Result<(), String> {
     std::fs::create_dir_all(&options.directory)
         .map_err(|e| format!("{} is not made: {e}", options.directory.display()))?;
     let mut features = Vec::new();
-    for (on, name) in [(cfg!(feature = "peers"), "peers"), (cfg!(feature = "f64"), "f64")] {
+    for (on, name) in [
+        (cfg!(feature = "peers"), "peers"),
+        (cfg!(feature = "ode"), "ode"),
+        (cfg!(feature = "mujoco"), "mujoco"),
+        (cfg!(feature = "bullet"), "bullet"),
+        (cfg!(feature = "f64"), "f64"),
+    ] {
         if on {
             features.push(name.to_string());
         }
@@ -23,7 +29,7 @@ pub fn write(options: &Options, command: &str) -> Result<(), String> {
         version: env!("CARGO_PKG_VERSION").into(),
         features,
         compiler: compiler(),
-        flags: format!("{profile}; Box3D: -O3 -DNDEBUG -ffp-contract=off; Rapier: as Cargo builds it"),
+        flags: flags(profile),
         machine: machine(),
         cores: std::thread::available_parallelism().map_or(1, usize::from),
         date: date(),
@@ -35,6 +41,16 @@ pub fn write(options: &Options, command: &str) -> Result<(), String> {
         quick: options.quick,
     };
     meta.write(&options.directory)
+}
+
+/// How engines were built, and the version and licence of those that the machine has.
+fn flags(profile: &str) -> String {
+    let mut text = format!("{profile}; Box3D: -O3 -DNDEBUG -ffp-contract=off; Rapier: as Cargo builds it");
+    for library in crate::engines::libraries() {
+        text += "; ";
+        text += &library;
+    }
+    text
 }
 
 fn compiler() -> String {

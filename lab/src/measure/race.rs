@@ -10,7 +10,7 @@ use crate::table::{Table, length, milliseconds, share};
 /// Races all scenes that are not in the file yet.
 ///
 /// # Errors
-/// What the file system says; why an engine refuses a scene.
+/// What the file system says; why ours refuses a scene.
 pub fn run(options: &Options) -> Result<String, String> {
     let mut log = Log::<Race>::open(&options.directory, options.fresh)?;
     meta::write(options, "race")?;
@@ -47,6 +47,11 @@ fn table(rows: &[Race]) -> String {
     ]);
     for row in rows {
         let ours = rows.iter().find(|r| r.scene == row.scene && r.engine == "merev");
+        if row.median_ms.is_nan() {
+            let cells = [row.scene.clone(), row.engine.clone(), "left out".into()];
+            table.row(cells.into_iter().chain(std::iter::repeat_n(String::new(), 8)));
+            continue;
+        }
         table.row([
             row.scene.clone(),
             row.engine.clone(),

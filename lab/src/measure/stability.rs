@@ -28,8 +28,8 @@ struct Stressor {
     /// With which setting, where the stressor is one.
     setting: fn(f64) -> Setting,
     survives: fn(f64, &Scene, &Track) -> bool,
-    /// Which methods it tells something about.
-    tells: fn(&Method) -> bool,
+    /// Which methods it tells something about, beside the engine's first.
+    tells: fn(&Method, &Method) -> bool,
 }
 
 fn as_it_comes(_: f64) -> Setting {
@@ -42,8 +42,8 @@ fn upright(track: &Track, height: f64) -> bool {
 }
 
 fn stressors() -> Vec<Stressor> {
-    let solver = |m: &Method| matches!(m.integrator, "" | "moser_veselov");
-    let integrator = |m: &Method| m.solver == "soft_step";
+    let solver = |m: &Method, first: &Method| m.integrator == first.integrator;
+    let integrator = |m: &Method, first: &Method| m.solver == first.solver;
     vec![
         Stressor {
             scene: "heavy_on_light",
@@ -260,7 +260,8 @@ fn searches(options: &Options) -> Vec<Search> {
     for stressor in stressors().into_iter().filter(|s| options.wants(s.scene)) {
         let stressor = Rc::new(stressor);
         for maker in options.makers().into_iter().filter(|m| m.key != "merev_c") {
-            for method in (maker.methods)().into_iter().filter(|m| (stressor.tells)(m)) {
+            let methods = (maker.methods)();
+            for &method in methods.iter().filter(|m| (stressor.tells)(m, &methods[0])) {
                 all.push(Search { stressor: stressor.clone(), maker, method });
             }
         }

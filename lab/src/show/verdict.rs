@@ -110,7 +110,8 @@ pub fn races(rows: &[Race]) -> Vec<Duel> {
     let scenes = super::settings::distinct(rows.iter().map(|r| r.scene.as_str()));
     let times = |scene: &String| {
         let own: Vec<_> = rows.iter().filter(|r| r.scene == *scene).collect();
-        duel(scene, own.into_iter().map(|r| (r.engine.clone(), Some(r.median_ms))))
+        let there = own.into_iter().filter(|r| r.median_ms.is_finite());
+        duel(scene, there.map(|r| (r.engine.clone(), Some(r.median_ms))))
     };
     scenes.iter().filter_map(times).collect()
 }
