@@ -298,12 +298,6 @@ impl Scene {
         self.bodies.push(surface(Body::fixed(Form::Box(half), [0.0, -half[1], 0.0])));
     }
 
-    /// Whether a body's centre of mass is not its origin: an engine may refuse that.
-    #[allow(dead_code, reason = "for engines that refuse it")]
-    pub fn has_offset(&self) -> bool {
-        self.bodies.iter().any(Body::has_offset)
-    }
-
     pub fn dynamic_count(&self) -> usize {
         self.bodies.iter().filter(|b| b.kind == Kind::Dynamic).count()
     }

@@ -156,6 +156,8 @@ pub struct Shim {
     world: NonNull<c_void>,
     /// All bodies, in the scene's order.
     solids: Vec<Solid>,
+    /// From what the scene takes for the place of each to its centre of mass.
+    offsets: Vec<V3>,
     /// Which of them are dynamic.
     dynamic: Vec<usize>,
     raw: std::cell::RefCell<Vec<RawMotion>>,
@@ -325,6 +327,7 @@ impl Shim {
             world,
             dynamic: (0..scene.bodies.len()).filter(of_kind).collect(),
             raw: vec![RawMotion::default(); solids.len()].into(),
+            offsets: scene.bodies.iter().zip(&solids).map(|(b, s)| sub(s.centre, b.center())).collect(),
             solids,
             _hulls: hulls,
         })
@@ -360,7 +363,7 @@ impl Engine for Shim {
             let (m, solid) = (&raw[i], &self.solids[i]);
             let rotation = times(m.rotation, conjugate(solid.axes));
             Motion {
-                position: sub(m.position, rotate(unit(rotation), solid.centre)),
+                position: sub(m.position, rotate(unit(rotation), self.offsets[i])),
                 rotation,
                 velocity: m.velocity,
                 spin: m.spin,

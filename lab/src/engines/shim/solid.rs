@@ -164,7 +164,7 @@ impl Solid {
     /// Of a body of a scene: as it is written down, or by shape and density.
     pub fn of(scene: &Scene, hulls: &[Hull], body: &Body) -> Self {
         if let Some(m) = body.mass {
-            return Self { mass: m.mass, centre: [0.0; 3], axes: STILL, inertia: m.inertia };
+            return Self { mass: m.mass, centre: m.center, axes: STILL, inertia: m.inertia };
         }
         let moments = match body.form {
             Form::Box([x, y, z]) => cuboid([x, y, z]),
