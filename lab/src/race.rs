@@ -12,6 +12,12 @@ use std::time::{Duration, Instant};
 /// How long an engine may take for one run before it is left out.
 const LIMIT: Duration = Duration::from_secs(60);
 
+/// From when on the time that is still to come can be told.
+const SETTLED: Duration = Duration::from_secs(4);
+
+/// A run that takes longer is not repeated \[ms\].
+const SLOW: f64 = 20e3;
+
 /// What to run.
 pub struct Options {
     /// Steps, the first one included.
@@ -89,7 +95,7 @@ fn race_of(
     };
     let mut entries: Vec<Entry> = makers.iter().copied().map(entry).collect();
     for _ in 0..options.repeats {
-        for entry in entries.iter_mut().filter(|e| e.left_out.is_none()) {
+        for entry in entries.iter_mut().filter(|e| e.left_out.is_none() && !e.is_slow(options)) {
             entry.left_out = once(scene, options, entry).err();
             advance(options.steps as u64);
         }
@@ -100,6 +106,13 @@ fn race_of(
     }
 }
 
+impl Entry {
+    /// Whether it has taken so long that it runs once only.
+    fn is_slow(&self, options: &Options) -> bool {
+        self.times.iter().any(|ms| ms * options.steps as f64 > SLOW)
+    }
+}
+
 /// One run of one engine.
 fn once(scene: &Scene, options: &Options, entry: &mut Entry) -> Result<(), String> {
     let mut engine = entry.maker.race(scene)?;
@@ -107,12 +120,14 @@ fn once(scene: &Scene, options: &Options, entry: &mut Entry) -> Result<(), Strin
     engine.step();
     let first = begin.elapsed();
     let start = Instant::now();
-    for _ in 1..options.steps {
+    for done in 2..=options.steps {
         engine.step();
         if options.stages {
             add_stages(&mut entry.stages, &engine.stages());
         }
-        if begin.elapsed() > LIMIT {
+        // What will not be in time is not waited for.
+        let spent = begin.elapsed();
+        if spent > LIMIT || spent > SETTLED && spent.mul_f64(options.steps as f64 / done as f64) > LIMIT {
             return Err(format!("takes more than {} s", LIMIT.as_secs()));
         }
     }
