@@ -100,20 +100,27 @@ fn panel(
 pub fn sheet(title: &str, panels: &[Svg], entrants: &[Entrant]) -> Svg {
     let width = panels.iter().map(|p| p.width).sum::<f64>().max(WIDTH);
     let tall = panels.iter().map(|p| p.height).fold(0.0, f64::max);
-    let mut svg = Svg::new(width, tall + 66.0, title);
+    // Marks and names from left to right, in as many rows as they need.
+    let wide = |e: &Entrant| 34.0 + super::svg::text_width(&e.name(), 12.0);
+    let (mut places, mut x, mut y) = (Vec::new(), LEFT, tall + 50.0);
+    for entrant in entrants {
+        if x + wide(entrant) > width && x > LEFT {
+            (x, y) = (LEFT, y + 20.0);
+        }
+        places.push((x, y));
+        x += wide(entrant);
+    }
+    let mut svg = Svg::new(width, y + 16.0, title);
     svg.text(width / 2.0, 22.0, Anchor::Middle, 15.0, INK, title);
     let mut x = 0.0;
     for panel in panels {
         svg.place(x, 32.0, panel);
         x += panel.width;
     }
-    let mut x = LEFT;
-    for entrant in entrants {
+    for (entrant, (x, y)) in entrants.iter().zip(places) {
         let (look, name) = (look(&entrant.engine), entrant.name());
-        let y = tall + 50.0;
         svg.path(&look.mark.path(x, y, 4.5), &fill_of(entrant));
         svg.text(x + 10.0, y + 4.0, Anchor::Start, 12.0, INK, &name);
-        x += 34.0 + super::svg::text_width(&name, 12.0);
     }
     if entrants.is_empty() {
         svg.text(width / 2.0, tall + 54.0, Anchor::Middle, 12.0, FAINT, "no engine was run");
