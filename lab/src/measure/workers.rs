@@ -90,6 +90,7 @@ pub fn run(
         sleep(Duration::from_millis(200));
         bar.set_position(done());
         let mut left = Vec::new();
+        let mut fault = None;
         for (core, mut child) in running {
             let Some(status) = child.try_wait().map_err(|e| e.to_string())? else {
                 left.push((core, child));
@@ -97,17 +98,25 @@ pub fn run(
             };
             match status.code() {
                 Some(0) => {}
-                Some(code) => return Err(format!("a worker ended with {code}")),
-                None => {
-                    let (unit, what) =
-                        claims.of_process(child.id()).ok_or(format!("a worker died ({status})"))?;
-                    died(&what)?;
-                    fs::remove_file(claims.file(unit)).map_err(fail)?;
-                    left.push((core, start(core)?));
-                }
+                // It has said on the terminal what was wrong.
+                Some(1) => fault = Some("a worker failed".to_string()),
+                // A signal, or a panic of an engine.
+                _ => match claims.of_process(child.id()) {
+                    None => fault = Some(format!("a worker died ({status})")),
+                    Some((unit, what)) => {
+                        died(&what)?;
+                        fs::remove_file(claims.file(unit)).map_err(fail)?;
+                        left.push((core, start(core)?));
+                    }
+                },
             }
         }
         running = left;
+        if let Some(fault) = fault {
+            // Who is already gone need not be stopped.
+            running.iter_mut().for_each(|(_, child)| drop(child.kill()));
+            return Err(fault);
+        }
     }
     fs::remove_dir_all(&claims.directory).map_err(fail)
 }
