@@ -255,6 +255,8 @@ pub fn read<T: Record>(directory: &Path) -> Result<Vec<T>, String> {
         Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
         Err(e) => return Err(format!("{}: {e}", path.display())),
     };
+    // Another process may be appending.
+    file.lock_shared().map_err(|e| format!("{}: {e}", path.display()))?;
     let rows = csv::Reader::from_reader(file).into_deserialize();
     rows.collect::<Result<_, _>>().map_err(|e| format!("{}: {e}", path.display()))
 }
@@ -280,7 +282,8 @@ impl<T: Record> Log<T> {
         let keys = rows.iter().map(Record::key).collect();
         let found = rows.len();
         let log = Self { path, rows, keys, found };
-        if log.rows.is_empty() {
+        // Never over a file that is there: another process may have appended to it since it was read.
+        if fresh || fs::metadata(&log.path).map_or(0, |m| m.len()) == 0 {
             let mut head = csv::Writer::from_writer(Vec::new());
             head.write_record(T::COLUMNS).map_err(|e| e.to_string())?;
             let bytes = head.into_inner().map_err(|e| e.to_string())?;
@@ -327,6 +330,7 @@ impl<T: Record> Log<T> {
         }
         let fail = |e: &dyn std::fmt::Display| format!("{} is not written: {e}", self.path.display());
         let file = OpenOptions::new().append(true).open(&self.path).map_err(|e| fail(&e))?;
+        file.lock().map_err(|e| fail(&e))?;
         let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(file);
         writer.serialize(&row).map_err(|e| fail(&e))?;
         writer.flush().map_err(|e| fail(&e))?;
@@ -374,6 +378,31 @@ mod tests {
             "scene,group,engine,method,precision,turned,rate_hz,sub_steps,iterations,accuracy,is_default,outcome,error,cost_ms,resumed\n"
         ));
         assert!(Log::<WorkPrecision>::open(&directory, true).unwrap().rows().is_empty());
+        fs::remove_dir_all(&directory).unwrap();
+    }
+
+    /// Two that have opened an empty file both append to it, in whatever order.
+    #[test]
+    fn who_opens_a_file_takes_nothing_from_it() {
+        let directory = directory("records-two");
+        let mut one = Log::open(&directory, true).unwrap();
+        let mut two = Log::open(&directory, false).unwrap();
+        one.push(point(60.0, Some(0.5))).unwrap();
+        two.push(point(120.0, Some(0.25))).unwrap();
+        std::thread::scope(|scope| {
+            for _ in 0..2 {
+                scope.spawn(|| {
+                    for k in 0..200 {
+                        let mut log = Log::<WorkPrecision>::open(&directory, false).unwrap();
+                        log.push(point(1000.0 + f64::from(k), Some(0.5))).unwrap();
+                    }
+                });
+            }
+        });
+        let rows = read::<WorkPrecision>(&directory).unwrap();
+        let rates: std::collections::BTreeSet<u64> = rows.iter().map(|r| r.rate_hz as u64).collect();
+        assert_eq!(rates.len(), 202);
+        assert_eq!(rows[..2], [point(60.0, Some(0.5)), point(120.0, Some(0.25))]);
         fs::remove_dir_all(&directory).unwrap();
     }
 
