@@ -5,6 +5,7 @@
 //! it; friction and weak motors are solved alone, and the unbounded rows after them.
 
 use super::Placed;
+use super::blocks::Blocks;
 use super::elimination::Elimination;
 use super::row::{PUSH_SPEED, PUSH_SPEED_ANGULAR, SolverRow};
 use crate::math::scalar::{double, single};
@@ -13,6 +14,7 @@ use crate::solver::rows::Rows;
 /// Scratch of the solves, and the last factor.
 #[derive(Debug, Default)]
 pub struct Direct {
+    blocks: Blocks,
     factor: Vec<f64>,
     size: Vec<f64>,
     least: Vec<f64>,
@@ -28,7 +30,7 @@ impl Direct {
     /// Bytes held.
     pub fn byte_count(&self) -> usize {
         let lists = [&self.factor, &self.size, &self.least, &self.unknown, &self.wanted, &self.responses];
-        lists.iter().map(|l| l.capacity() * 8).sum()
+        self.blocks.byte_count() + lists.iter().map(|l| l.capacity() * 8).sum::<usize>()
     }
 }
 
@@ -37,6 +39,10 @@ pub struct System<'a> {
     pub plan: &'a Elimination,
     pub list: &'a [Placed],
     pub solver_rows: &'a mut [SolverRow],
+    /// Its unbounded rows, in the order of the plan.
+    pub hard: &'a [u32],
+    /// Its rows with bounds, in their own order.
+    pub bounded: &'a [u32],
     /// Solver rows of the bodies.
     pub members: &'a [u32],
     pub rows: &'a mut Rows,
@@ -50,20 +56,19 @@ impl System<'_> {
     /// The impulses of a pass; without `factor` the system is that of the last call. Says whether the joints contradicted
     /// each other.
     pub fn impulses(&mut self, factor: bool, aim: Aim) -> bool {
-        let range = super::rows_of(self.list);
         if factor {
             self.work.responses.clear();
-            self.solver_rows[range.clone()].iter_mut().for_each(|row| row.response = None);
+            self.bounded.iter().for_each(|&k| self.solver_rows[k as usize].response = None);
         }
         self.solve_at_once(factor, aim);
-        if self.solver_rows[range.clone()].iter().all(|row| row.unbounded) {
+        if self.bounded.is_empty() {
             return self.work.damping > 0.0;
         }
         let energy = energy_within_reach(self.members, self.rows, Aim::Push);
         for _ in 0..ROUNDS {
             let (mut moved, mut disturbed) = (false, false);
-            for k in range.clone() {
-                if self.solver_rows[k].unbounded || !self.solver_rows[k].wants_change(self.rows) {
+            for k in self.bounded.iter().map(|&k| k as usize) {
+                if !self.solver_rows[k].wants_change(self.rows) {
                     continue;
                 }
                 if self.solver_rows[k].is_condensed() {
@@ -96,15 +101,11 @@ impl System<'_> {
         }
         self.solver_rows[k].lambda += change;
         self.solver_rows[k].apply(change, self.rows);
-        let mut y = self.work.responses[start..start + n].iter();
-        for &node in &self.plan.order {
-            for row in
-                self.solver_rows[self.list[node as usize].rows.clone()].iter_mut().filter(|r| r.unbounded)
-            {
-                let also = single(y.next().expect("one for each") * double(change));
-                row.lambda += also;
-                row.apply(also, self.rows);
-            }
+        for (&hard, y) in self.hard.iter().zip(&self.work.responses[start..start + n]) {
+            let row = &mut self.solver_rows[hard as usize];
+            let also = single(y * double(change));
+            row.lambda += also;
+            row.apply(also, self.rows);
         }
         change.abs() > 1e-4 * self.solver_rows[k].lambda.abs()
     }
@@ -114,7 +115,7 @@ impl System<'_> {
         let row = &self.solver_rows[k];
         let mut y = std::mem::take(&mut self.work.unknown);
         y.clear();
-        y.extend(self.hard_order().map(|hard| -hard.coupling(row, self.rows)));
+        y.extend(self.hard.iter().map(|&hard| -self.solver_rows[hard as usize].coupling(row, self.rows)));
         let mut coupling = std::mem::take(&mut self.work.wanted);
         coupling.clear();
         coupling.extend_from_slice(&y);
@@ -128,21 +129,16 @@ impl System<'_> {
         start
     }
 
-    /// The unbounded rows, in the order of the plan.
-    fn hard_order(&self) -> impl Iterator<Item = &SolverRow> {
-        self.plan.order.iter().flat_map(|&node| {
-            self.solver_rows[self.list[node as usize].rows.clone()].iter().filter(|r| r.unbounded)
-        })
-    }
-
     /// Solves the unbounded rows at once.
     fn solve_at_once(&mut self, factor: bool, aim: Aim) {
         let mut wanted = std::mem::take(&mut self.work.wanted);
         wanted.clear();
-        wanted.extend(self.hard_order().map(|row| row.right_side(self.rows)));
         let mut energy = energy_within_reach(self.members, self.rows, aim);
-        for (row, &wanted) in self.hard_order().zip(&wanted) {
-            energy += row.spring_energy(wanted);
+        for &k in self.hard {
+            let row = &self.solver_rows[k as usize];
+            let right = row.right_side(self.rows);
+            energy += row.spring_energy(right);
+            wanted.push(right);
         }
         if factor {
             self.work.damping = 0.0;
@@ -169,29 +165,33 @@ impl System<'_> {
             anew = true;
         }
         self.work.wanted = wanted;
-        for (position, &node) in self.plan.order.iter().enumerate() {
-            let own = self.solver_rows[self.list[node as usize].rows.clone()].iter_mut();
-            let changes = &self.work.unknown[self.plan.start(position)..];
-            for (row, &change) in own.filter(|r| r.unbounded).zip(changes) {
-                let change = single(change);
-                row.lambda += change;
-                row.apply(change, self.rows);
-            }
+        for (&k, &change) in self.hard.iter().zip(&self.work.unknown) {
+            let row = &mut self.solver_rows[k as usize];
+            let change = single(change);
+            row.lambda += change;
+            row.apply(change, self.rows);
         }
     }
 
-    /// Factors the system.
+    /// Factors the system: W, its diagonal, and the least part of that by one body.
     fn factor(&mut self) {
-        let Direct { factor, size, least, damping, .. } = &mut *self.work;
-        for (list, len) in [
-            (&mut *factor, self.plan.values()),
-            (&mut *size, self.plan.unknowns()),
-            (&mut *least, self.plan.unknowns()),
-        ] {
-            list.clear();
-            list.resize(len, 0.0);
+        let Direct { blocks, factor, size, least, damping, .. } = &mut *self.work;
+        factor.clear();
+        factor.resize(self.plan.values(), 0.0);
+        blocks.lay_out(self.plan, self.list, self.hard, self.solver_rows, self.rows);
+        blocks.fill(self.plan, factor);
+        size.clear();
+        least.clear();
+        for (position, &node) in self.plan.order.iter().enumerate() {
+            let (d, at) = (self.plan.dim(position), self.plan.diagonal(position));
+            for (r, &k) in self.hard[self.plan.start(position)..][..d].iter().enumerate() {
+                let row = &self.solver_rows[k as usize];
+                let own = &mut factor[at + r * d + r];
+                *own = *own * (1.0 + *damping) + row.compliance();
+                size.push(*own);
+                least.push(row.least_share(self.list[node as usize].arm, self.rows) + row.compliance());
+            }
         }
-        assemble(self.plan, self.list, self.solver_rows, self.rows, *damping, factor, size, least);
         self.plan.factor(factor, size, least);
     }
 }
@@ -225,42 +225,4 @@ fn energy_within_reach(members: &[u32], rows: &Rows, aim: Aim) -> f64 {
         let turning = share * w.dot(&w) + push * PUSH_SPEED_ANGULAR * PUSH_SPEED_ANGULAR;
         sum + double(fast / row.inv_mass()) + double(turning * aux.moments.max())
     })
-}
-
-/// Fills W of a component, its diagonal, and the least part of that by one body.
-#[allow(clippy::too_many_arguments)]
-fn assemble(
-    plan: &Elimination,
-    list: &[Placed],
-    solver_rows: &[SolverRow],
-    rows: &Rows,
-    damping: f64,
-    w: &mut [f64],
-    size: &mut [f64],
-    least: &mut [f64],
-) {
-    for (position, &node) in plan.order.iter().enumerate() {
-        let placed = &list[node as usize];
-        let own = || solver_rows[placed.rows.clone()].iter().filter(|r| r.unbounded);
-        let d = own().count();
-        let (at, start) = (plan.diagonal(position), plan.start(position));
-        for (r, row) in own().enumerate() {
-            for (c, other) in own().enumerate().take(r + 1) {
-                w[at + r * d + c] = row.coupling(other, rows);
-            }
-            w[at + r * d + r] = w[at + r * d + r] * (1.0 + damping) + row.compliance();
-            size[start + r] = w[at + r * d + r];
-            least[start + r] = row.least_share(placed.arm, rows) + row.compliance();
-        }
-    }
-    for (k, l, at) in plan.blocks() {
-        let (a, b) = (&list[plan.order[k] as usize], &list[plan.order[l] as usize]);
-        let own = |p: &Placed| solver_rows[p.rows.clone()].iter().filter(|r| r.unbounded);
-        let d = own(b).count();
-        for (r, row) in own(a).enumerate() {
-            for (c, other) in own(b).enumerate() {
-                w[at + r * d + c] = row.coupling(other, rows);
-            }
-        }
-    }
 }

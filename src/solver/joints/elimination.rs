@@ -8,6 +8,11 @@
 //! Redundant rows (a closed planar loop, two joints on one pair) make W singular: their pivots vanish but for
 //! rounding. Such a pivot is put back to the size it had before elimination, which keeps the redundant impulse where
 //! it is and leaves the others right.
+//!
+//! What is done to a block is written once for every number of rows, and compiled for the usual ones apart (see
+//! [`by_size`]): loops of known length.
+
+use std::ops::Range;
 
 /// A plan is made only if a factorization takes at most so many multiplications for each joint, and in all.
 const MOST_PER_JOINT: u64 = 12_000;
@@ -21,22 +26,64 @@ const REDUNDANT: f64 = 2e-3;
 /// Below this share of itself before elimination a pivot is what rounding left.
 const ROUNDING: f64 = 1e-12;
 
+/// Evaluates an expression with a number of rows, known when it is compiled for those that most joints have.
+macro_rules! by_size {
+    (@ $d:expr, $size:ident => $result:expr) => {{
+        let $size: usize = $d;
+        $result
+    }};
+    ($d:expr, $size:ident => $result:expr) => {
+        match $d {
+            1 => by_size!(@ 1, $size => $result),
+            3 => by_size!(@ 3, $size => $result),
+            5 => by_size!(@ 5, $size => $result),
+            6 => by_size!(@ 6, $size => $result),
+            other => by_size!(@ other, $size => $result),
+        }
+    };
+}
+pub(super) use by_size;
+
 /// What is known from the topology alone.
 #[derive(Clone, Debug, Default)]
 pub struct Elimination {
     /// Nodes in order of elimination.
     pub order: Vec<u32>,
-    /// Rows of the node at each position.
-    dim: Vec<usize>,
-    /// Where its unknowns begin.
-    start: Vec<usize>,
-    /// For each position its later neighbours (positions), and where their blocks are.
-    later: Vec<Vec<(usize, usize)>>,
-    diagonal: Vec<usize>,
-    /// For each position the blocks that its elimination changes: (k, l, block), k ≥ l.
-    changes: Vec<Vec<(usize, usize, usize)>>,
+    /// By position.
+    nodes: Vec<Node>,
+    /// Their later neighbours, one node after the other.
+    later: Vec<Later>,
+    /// Where the blocks are that the elimination of a node changes, one for each pair of its later neighbours.
+    targets: Vec<usize>,
     values: usize,
     unknowns: usize,
+}
+
+/// A node at its position.
+#[derive(Clone, Debug)]
+struct Node {
+    /// How many rows it has.
+    dim: usize,
+    /// Where its unknowns begin.
+    start: usize,
+    /// Where its diagonal block is. These come first of all.
+    diagonal: usize,
+    /// Where its blocks with its later neighbours are.
+    column: Range<usize>,
+    /// Those neighbours in the list.
+    later: Range<usize>,
+    /// The targets in the list.
+    targets: Range<usize>,
+}
+
+/// A later neighbour of a node, and their block.
+#[derive(Clone, Copy, Debug)]
+struct Later {
+    position: usize,
+    dim: usize,
+    start: usize,
+    /// Where the block is; its rows are those of the later node.
+    block: usize,
 }
 
 impl Elimination {
@@ -82,34 +129,32 @@ impl Elimination {
         }
         let mut plan = Self { order, ..Self::default() };
         for &node in &plan.order {
-            let d = dims[node as usize];
-            plan.dim.push(d);
-            plan.start.push(plan.unknowns);
-            plan.unknowns += d;
-            plan.diagonal.push(plan.values);
-            plan.values += d * d;
+            let dim = dims[node as usize];
+            let (start, diagonal) = (plan.unknowns, plan.values);
+            plan.nodes.push(Node { dim, start, diagonal, column: 0..0, later: 0..0, targets: 0..0 });
+            plan.unknowns += dim;
+            plan.values += dim * dim;
         }
         for (i, nodes) in later_nodes.iter().enumerate() {
             let mut list: Vec<usize> = nodes.iter().map(|&v| position[v as usize]).collect();
             list.sort_unstable();
-            let blocks = list
-                .into_iter()
-                .map(|k| {
-                    let at = plan.values;
-                    plan.values += plan.dim[k] * plan.dim[i];
-                    (k, at)
-                })
-                .collect();
-            plan.later.push(blocks);
+            let (column, first) = (plan.values, plan.later.len());
+            for k in list {
+                let Node { dim, start, .. } = plan.nodes[k];
+                plan.later.push(Later { position: k, dim, start, block: plan.values });
+                plan.values += dim * plan.nodes[i].dim;
+            }
+            plan.nodes[i].column = column..plan.values;
+            plan.nodes[i].later = first..plan.later.len();
         }
         for i in 0..n {
-            let mut changes = Vec::new();
-            for (a, &(k, _)) in plan.later[i].iter().enumerate() {
-                for &(l, _) in &plan.later[i][..=a] {
-                    changes.push((k, l, plan.block(k, l)));
+            let first = plan.targets.len();
+            for a in plan.nodes[i].later.clone() {
+                for b in plan.nodes[i].later.start..=a {
+                    plan.targets.push(plan.block(plan.later[a].position, plan.later[b].position));
                 }
             }
-            plan.changes.push(changes);
+            plan.nodes[i].targets = first..plan.targets.len();
         }
         Some(plan)
     }
@@ -129,64 +174,81 @@ impl Elimination {
     /// Where the unknowns of the node at a position begin.
     #[must_use]
     pub fn start(&self, position: usize) -> usize {
-        self.start[position]
+        self.nodes[position].start
     }
 
     /// Where block (k, l) is, k ≥ l being positions; its rows are those of k.
     fn block(&self, k: usize, l: usize) -> usize {
         if k == l {
-            return self.diagonal[k];
+            return self.nodes[k].diagonal;
         }
-        let list = &self.later[l];
-        let at = list.binary_search_by_key(&k, |e| e.0).expect("fill was planned for");
-        list[at].1
+        let list = &self.later[self.nodes[l].later.clone()];
+        let at = list.binary_search_by_key(&k, |e| e.position).expect("fill was planned for");
+        list[at].block
     }
 
     /// The pairs of positions whose block of W may be other than zero, k > l, with where it is.
     pub fn blocks(&self) -> impl Iterator<Item = (usize, usize, usize)> + '_ {
-        self.later.iter().enumerate().flat_map(|(l, list)| list.iter().map(move |&(k, at)| (k, l, at)))
+        self.nodes.iter().enumerate().flat_map(|(l, node)| {
+            self.later[node.later.clone()].iter().map(move |later| (later.position, l, later.block))
+        })
+    }
+
+    /// How many rows the node at a position has.
+    #[must_use]
+    pub fn dim(&self, position: usize) -> usize {
+        self.nodes[position].dim
     }
 
     /// Where the diagonal block of a position is.
     #[must_use]
     pub fn diagonal(&self, position: usize) -> usize {
-        self.diagonal[position]
+        self.nodes[position].diagonal
     }
 
     /// Factors W in place: its lower blocks stand in `w` (rows of the later position first), its diagonal in `size`, and in
     /// `least` about what is left of that at least, unless the row is redundant.
     pub fn factor(&self, w: &mut [f64], size: &[f64], least: &[f64]) {
-        for i in 0..self.order.len() {
-            let d = self.dim[i];
-            let at = self.diagonal[i];
-            let own = self.start[i]..self.start[i] + d;
-            cholesky(&mut w[at..at + d * d], &size[own.clone()], &least[own]);
-            for &(k, block) in &self.later[i] {
-                // L_ki = A_ki C⁻ᵀ.
-                for r in 0..self.dim[k] {
-                    let row = block + r * d;
-                    for c in 0..d {
-                        let mut sum = w[row + c];
-                        for e in 0..c {
-                            sum -= w[row + e] * w[at + c * d + e];
-                        }
-                        w[row + c] = sum / w[at + c * d + c];
-                    }
+        for node in self.nodes.iter().filter(|node| node.dim > 0) {
+            by_size!(node.dim, d => self.eliminate(node, d, w, size, least));
+        }
+    }
+
+    /// Takes a node with `d` rows out of the system.
+    #[inline(always)]
+    fn eliminate(&self, node: &Node, d: usize, w: &mut [f64], size: &[f64], least: &[f64]) {
+        let own = node.start..node.start + d;
+        let (before, after) = w.split_at_mut(node.column.end);
+        let (before, column) = before.split_at_mut(node.column.start);
+        let diagonal = &mut before[node.diagonal..][..d * d];
+        cholesky(diagonal, d, &size[own.clone()], &least[own]);
+        // L_ki = A_ki C⁻ᵀ.
+        for row in column.chunks_exact_mut(d) {
+            for c in 0..d {
+                let mut sum = row[c];
+                for e in 0..c {
+                    sum -= row[e] * diagonal[c * d + e];
                 }
+                row[c] = sum / diagonal[c * d + c];
             }
-            let mut change = self.changes[i].iter();
-            for (a, &(k, lk)) in self.later[i].iter().enumerate() {
-                for &(l, ll) in &self.later[i][..=a] {
-                    let &(_, _, target) = change.next().expect("one for each pair");
-                    let (dk, dl) = (self.dim[k], self.dim[l]);
-                    for r in 0..dk {
-                        for c in 0..dl {
-                            let mut sum = 0.0;
-                            for e in 0..d {
-                                sum += w[lk + r * d + e] * w[ll + c * d + e];
-                            }
-                            w[target + r * dl + c] -= sum;
-                        }
+        }
+        let later = &self.later[node.later.clone()];
+        let mut targets = self.targets[node.targets.clone()].iter();
+        for (a, k) in later.iter().enumerate() {
+            let rows_k = &column[k.block - node.column.start..][..k.dim * d];
+            for (b, l) in later[..=a].iter().enumerate() {
+                let rows_l = &column[l.block - node.column.start..][..l.dim * d];
+                let &target = targets.next().expect("one for each pair");
+                if a == b {
+                    // Of a block on the diagonal the lower half is all that counts.
+                    let target = &mut before[target..][..k.dim * k.dim];
+                    for (r, row) in rows_k.chunks_exact(d).enumerate() {
+                        subtract_products(&mut target[r * k.dim..][..=r], row, rows_l, d);
+                    }
+                } else {
+                    let target = &mut after[target - node.column.end..][..k.dim * l.dim];
+                    for (r, row) in rows_k.chunks_exact(d).enumerate() {
+                        subtract_products(&mut target[r * l.dim..][..l.dim], row, rows_l, d);
                     }
                 }
             }
@@ -195,69 +257,92 @@ impl Elimination {
 
     /// Solves for the right-hand side `x`, by position, in place.
     pub fn solve(&self, w: &[f64], x: &mut [f64]) {
-        for i in 0..self.order.len() {
-            let (d, at, s) = (self.dim[i], self.diagonal[i], self.start[i]);
-            for r in 0..d {
-                let mut sum = x[s + r];
-                for e in 0..r {
-                    sum -= w[at + r * d + e] * x[s + e];
-                }
-                x[s + r] = sum / w[at + r * d + r];
-            }
-            for &(k, block) in &self.later[i] {
-                let sk = self.start[k];
-                for r in 0..self.dim[k] {
-                    let mut sum = 0.0;
-                    for e in 0..d {
-                        sum += w[block + r * d + e] * x[s + e];
-                    }
-                    x[sk + r] -= sum;
+        for node in self.nodes.iter().filter(|node| node.dim > 0) {
+            by_size!(node.dim, d => self.solve_forward(node, d, w, x));
+        }
+        for node in self.nodes.iter().rev().filter(|node| node.dim > 0) {
+            by_size!(node.dim, d => self.solve_back(node, d, w, x));
+        }
+    }
+
+    /// Finds the part of L⁻¹ x of a node with `d` rows, and takes what it does from those of its later neighbours.
+    #[inline(always)]
+    fn solve_forward(&self, node: &Node, d: usize, w: &[f64], x: &mut [f64]) {
+        let (x, after) = x.split_at_mut(node.start + d);
+        let x = &mut x[node.start..];
+        forward(&w[node.diagonal..][..d * d], d, x);
+        for later in &self.later[node.later.clone()] {
+            let block = &w[later.block..][..later.dim * d];
+            let there = &mut after[later.start - node.start - d..][..later.dim];
+            subtract_products(there, x, block, d);
+        }
+    }
+
+    /// Finds the part of L⁻ᵀ x of a node with `d` rows from those of its later neighbours.
+    #[inline(always)]
+    fn solve_back(&self, node: &Node, d: usize, w: &[f64], x: &mut [f64]) {
+        let (x, after) = x.split_at_mut(node.start + d);
+        let x = &mut x[node.start..];
+        for later in &self.later[node.later.clone()] {
+            let block = &w[later.block..][..later.dim * d];
+            let there = &after[later.start - node.start - d..][..later.dim];
+            for (row, xk) in block.chunks_exact(d).zip(there) {
+                for e in 0..d {
+                    x[e] -= row[e] * xk;
                 }
             }
         }
-        for i in (0..self.order.len()).rev() {
-            let (d, at, s) = (self.dim[i], self.diagonal[i], self.start[i]);
-            for &(k, block) in &self.later[i] {
-                let sk = self.start[k];
-                for r in 0..self.dim[k] {
-                    let xk = x[sk + r];
-                    for e in 0..d {
-                        x[s + e] -= w[block + r * d + e] * xk;
-                    }
-                }
-            }
-            for r in (0..d).rev() {
-                let mut sum = x[s + r];
-                for e in r + 1..d {
-                    sum -= w[at + e * d + r] * x[s + e];
-                }
-                x[s + r] = sum / w[at + r * d + r];
-            }
-        }
+        back(&w[node.diagonal..][..d * d], d, x);
     }
 }
 
 /// Solves one dense system in place: W in its lower triangle, its diagonal in `size`, the right-hand side in `x`.
 pub fn solve_dense(w: &mut [f64], size: &[f64], x: &mut [f64]) {
-    cholesky(w, size, size);
     let d = size.len();
-    for r in 0..d {
-        for e in 0..r {
-            x[r] -= w[r * d + e] * x[e];
+    cholesky(w, d, size, size);
+    forward(w, d, x);
+    back(w, d, x);
+}
+
+/// Of each of the rows of length `d` takes its product with `row` from one of the numbers.
+#[inline(always)]
+fn subtract_products(numbers: &mut [f64], row: &[f64], rows: &[f64], d: usize) {
+    for (number, other) in numbers.iter_mut().zip(rows.chunks_exact(d)) {
+        let mut sum = 0.0;
+        for e in 0..d {
+            sum += row[e] * other[e];
         }
-        x[r] /= w[r * d + r];
+        *number -= sum;
     }
-    for r in (0..d).rev() {
-        for e in r + 1..d {
-            x[r] -= w[e * d + r] * x[e];
+}
+
+/// x ← L⁻¹ x for the lower triangle L of a d × d block.
+#[inline(always)]
+fn forward(l: &[f64], d: usize, x: &mut [f64]) {
+    for r in 0..d {
+        let mut sum = x[r];
+        for e in 0..r {
+            sum -= l[r * d + e] * x[e];
         }
-        x[r] /= w[r * d + r];
+        x[r] = sum / l[r * d + r];
+    }
+}
+
+/// x ← L⁻ᵀ x.
+#[inline(always)]
+fn back(l: &[f64], d: usize, x: &mut [f64]) {
+    for r in (0..d).rev() {
+        let mut sum = x[r];
+        for e in r + 1..d {
+            sum -= l[e * d + r] * x[e];
+        }
+        x[r] = sum / l[r * d + r];
     }
 }
 
 /// The Cholesky factor of a d × d block, in place in its lower triangle; see [`Elimination::factor`].
-fn cholesky(a: &mut [f64], size: &[f64], least: &[f64]) {
-    let d = size.len();
+#[inline(always)]
+fn cholesky(a: &mut [f64], d: usize, size: &[f64], least: &[f64]) {
     for c in 0..d {
         let mut pivot = a[c * d + c];
         for e in 0..c {

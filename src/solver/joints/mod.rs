@@ -16,6 +16,7 @@
 //! Impulses of a row act on both bodies at one common point, so momentum and angular momentum stay.
 
 mod ball;
+mod blocks;
 mod direct;
 mod elimination;
 mod groups;
@@ -79,6 +80,9 @@ struct Component {
     colors: Range<usize>,
     /// The solver rows of its bodies, in the list of members.
     members: Range<usize>,
+    /// With a plan: its unbounded rows in the order of the plan, and those with bounds, in the list of solved rows.
+    hard: Range<usize>,
+    bounded: Range<usize>,
     /// Whether its joints contradicted each other in this sub-step.
     damped: bool,
     /// Whose scratch it uses: one that has contacts keeps its factor for the next round, in one of its own; 0 for others.
@@ -91,6 +95,8 @@ pub struct Workspace {
     joints: Vec<Placed>,
     rows: Vec<SolverRow>,
     components: Vec<Component>,
+    /// Places in the list of rows of what is solved at once.
+    solved: Vec<u32>,
     /// The components of each batch.
     batches: Vec<Range<usize>>,
     groups: Groups,
@@ -137,6 +143,7 @@ impl Workspace {
     pub fn begin(&mut self, bodies: &Bodies, store: &BodyStore, joints: &JointStore) {
         self.joints.clear();
         self.rows.clear();
+        self.solved.clear();
         self.components.clear();
         self.members.clear();
         self.batches.clear();
@@ -262,6 +269,7 @@ impl Workspace {
             }
             self.joints[place].rows = first..self.rows.len();
         }
+        let (hard, bounded) = self.sort_rows(group, start);
         let first_color = self.balls.color_count();
         for color in 0..self.groups.list[group].balls.len() {
             self.seeds.clear();
@@ -302,9 +310,25 @@ impl Workspace {
             planned,
             colors: first_color..self.balls.color_count(),
             members: first_member..first_member + kept,
+            hard,
+            bounded,
             damped: false,
             scratch: 0,
         });
+    }
+
+    /// Lists the unbounded rows and those with bounds of a group with a plan, whose joints are the last ones.
+    fn sort_rows(&mut self, group: usize, first_joint: usize) -> (Range<usize>, Range<usize>) {
+        let Some(plan) = &self.groups.list[group].plan else { return (0..0, 0..0) };
+        let (joints, rows) = (&self.joints[first_joint..], &self.rows);
+        let hard = self.solved.len();
+        for &node in &plan.order {
+            let own = joints[node as usize].rows.clone();
+            self.solved.extend(own.filter(|&k| rows[k].unbounded).map(|k| k as u32));
+        }
+        let bounded = self.solved.len();
+        self.solved.extend(rows_of(joints).filter(|&k| !rows[k].unbounded).map(|k| k as u32));
+        (hard..bounded, bounded..self.solved.len())
     }
 
     /// Writes the rows of a joint down, with its bodies moved and turned since the step began by what `moves` says.
@@ -535,13 +559,16 @@ impl Workspace {
 
     /// The impulses of a pass over a component, ball joints aside; without `factor` its system is that of the last call.
     fn impulses(&mut self, component: usize, rows: &mut Rows, factor: bool, aim: Aim) {
-        let Component { joints, group, members, scratch, .. } = self.components[component].clone();
+        let Component { joints, group, members, hard, bounded, scratch, .. } =
+            self.components[component].clone();
         let list = &self.joints[joints];
         if let Some(plan) = &self.groups.list[group].plan {
             let mut system = direct::System {
                 plan,
                 list,
                 solver_rows: &mut self.rows,
+                hard: &self.solved[hard],
+                bounded: &self.solved[bounded],
                 members: &self.members[members],
                 rows,
                 work: &mut self.direct[scratch],

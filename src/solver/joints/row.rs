@@ -32,14 +32,14 @@ pub enum Pass {
 pub struct SolverRow {
     /// Solver rows of bodies A and B, and of two more.
     bodies: [u32; 4],
-    /// Of bodies A and B.
-    sides: [Side; 2],
+    /// What it sees of them.
+    sides: [Side; 4],
+    /// How many there are, two or four.
+    count: usize,
     /// I_w⁻¹ times their angular parts.
     turn: [Vec3; 2],
     /// The same in double precision, for W: what single precision rounds off would make redundant rows look free.
     exact_turn: [[f64; 3]; 2],
-    /// Of two bodies more.
-    more: Option<[Side; 2]>,
     law: Law,
     /// Whether λ has no bounds: hard rows and springs of any strength.
     pub unbounded: bool,
@@ -52,7 +52,7 @@ pub struct SolverRow {
     start: [Float; 2],
     /// Motion of its spring.
     oscillator: Oscillator,
-    /// Effective mass of the row alone.
+    /// Effective mass of the row alone; 0 for hard rows, which are never solved alone.
     mass: Float,
     /// What a unit impulse does to Ċ with the unbounded rows of its component following.
     mobility: f64,
@@ -98,10 +98,10 @@ impl SolverRow {
         };
         Self {
             bodies,
-            sides: draft.sides,
+            sides: [Side::default(); 4],
+            count: 2,
             turn: [Vec3::zeros(); 2],
             exact_turn: [[0.0; 3]; 2],
-            more: draft.more,
             law,
             unbounded: law.is_unbounded(),
             angular: draft.angular,
@@ -123,8 +123,11 @@ impl SolverRow {
 
     /// Takes error and Jacobian from a draft of the same row.
     pub fn place(&mut self, draft: &JointRow, rows: &Rows) {
-        self.sides = draft.sides;
-        self.more = draft.more;
+        self.sides[..2].copy_from_slice(&draft.sides);
+        if let Some(more) = draft.more {
+            self.sides[2..].copy_from_slice(&more);
+            self.count = 4;
+        }
         self.c = draft.c;
         self.weigh(rows);
     }
@@ -136,15 +139,34 @@ impl SolverRow {
             self.turn[k] = inertia.times(self.sides[k].angular);
             self.exact_turn[k] = inertia.exact_times(self.sides[k].angular);
         }
-        let k = single(self.coupling(self, rows));
-        self.mass = if k > 0.0 { 1.0 / k } else { 0.0 };
+        if self.law != Law::Equal {
+            let k = single(self.coupling(self, rows));
+            self.mass = if k > 0.0 { 1.0 / k } else { 0.0 };
+        }
     }
 
     /// The sides with their bodies.
     #[inline]
     fn parts(&self) -> impl Iterator<Item = (usize, &Side)> {
-        let more = self.more.iter().flatten();
-        self.bodies.iter().map(|&b| b as usize).zip(self.sides.iter().chain(more)).filter(|p| p.0 != 0)
+        let bodies = self.bodies[..self.count].iter().map(|&b| b as usize);
+        bodies.zip(&self.sides[..self.count]).filter(|p| p.0 != 0)
+    }
+
+    /// What its side on this body sees of it, and what a unit impulse does to the body but for the inverse mass: both in
+    /// double precision, the linear part first.
+    pub fn exact_side(&self, side: usize, rows: &Rows) -> ([f64; 6], [f64; 3]) {
+        let Side { linear, angular } = &self.sides[side];
+        let sees = [linear.x, linear.y, linear.z, angular.x, angular.y, angular.z].map(double);
+        let turn = match self.exact_turn.get(side) {
+            Some(&turn) => turn,
+            None => rows.inertia[self.bodies[side] as usize].exact_times(*angular),
+        };
+        (sees, turn)
+    }
+
+    /// How many bodies it has, the immovable one counted: two or four.
+    pub fn side_count(&self) -> usize {
+        self.count
     }
 
     /// Ċ.
@@ -222,8 +244,8 @@ impl SolverRow {
                 row.set_w(row.w() + self.turn[k] * change);
             }
         }
-        for (side, &b) in self.more.iter().flatten().zip(&self.bodies[2..]) {
-            let b = b as usize;
+        for k in 2..self.count {
+            let (b, side) = (self.bodies[k] as usize, &self.sides[k]);
             if b != 0 {
                 let row = &mut rows.row[b];
                 row.set_v(row.v() + side.linear * (change * row.inv_mass()));
@@ -282,17 +304,13 @@ impl SolverRow {
     pub fn coupling(&self, other: &SolverRow, rows: &Rows) -> f64 {
         let mut sum = 0.0;
         for (a, side) in self.parts() {
-            for (k, (b, there)) in other.parts().enumerate() {
-                if a != b {
+            for (k, &b) in other.bodies[..other.count].iter().enumerate() {
+                if a != b as usize {
                     continue;
                 }
-                let turn = if other.more.is_none() && other.bodies[0] != 0 && k < 2 {
-                    other.exact_turn[k]
-                } else {
-                    rows.inertia[b].exact_times(there.angular)
-                };
-                let linear = exact_dot(side.linear, there.linear.map(double).into());
-                sum += linear * double(rows.row[b].inv_mass()) + exact_dot(side.angular, turn);
+                let (there, turn) = other.exact_side(k, rows);
+                let linear = exact_dot(side.linear, [there[0], there[1], there[2]]);
+                sum += linear * double(rows.row[a].inv_mass()) + exact_dot(side.angular, turn);
             }
         }
         sum
@@ -303,16 +321,18 @@ impl SolverRow {
     /// about itself.
     pub fn least_share(&self, arms: [Vec3; 2], rows: &Rows) -> f64 {
         let arms = arms.into_iter().chain([Vec3::zeros(); 2]);
-        let sides = self.sides.iter().chain(self.more.iter().flatten());
-        let parts = self.bodies.iter().zip(sides).zip(arms).filter(|((b, _), _)| **b != 0);
+        let parts =
+            self.bodies.iter().zip(&self.sides[..self.count]).zip(arms).filter(|((b, _), _)| **b != 0);
         parts.fold(f64::INFINITY, |least, ((&b, side), arm)| {
             let b = b as usize;
             let inv_mass = rows.row[b].inv_mass();
             let linear = side.linear.dot(&side.linear) * inv_mass;
-            let moment = rows.aux[b].moments.max();
-            let orbit = if inv_mass > 0.0 { arm.dot(&arm) / inv_mass } else { 0.0 };
-            let angular = if moment > 0.0 { side.angular.dot(&side.angular) / (moment + orbit) } else { 0.0 };
-            let share = double(if linear > 0.0 { linear } else { angular });
+            let angular = || {
+                let moment = rows.aux[b].moments.max();
+                let orbit = if inv_mass > 0.0 { arm.dot(&arm) / inv_mass } else { 0.0 };
+                if moment > 0.0 { side.angular.dot(&side.angular) / (moment + orbit) } else { 0.0 }
+            };
+            let share = double(if linear > 0.0 { linear } else { angular() });
             if share > 0.0 { least.min(share) } else { least }
         })
     }
