@@ -97,10 +97,22 @@ impl InertiaRow {
         vec3(xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z, xz * v.x + yz * v.y + zz * v.z)
     }
 
-    /// I_w⁻¹ v in double precision.
-    pub fn exact_times(&self, v: Vec3) -> [f64; 3] {
-        let [[xx, xy, xz, yy], [yz, zz, ..]] = self.0.map(|quad| quad.map(double));
-        let [x, y, z] = [double(v.x), double(v.y), double(v.z)];
+    /// The same in double precision.
+    #[inline(always)]
+    pub fn exact(&self) -> ExactInertia {
+        ExactInertia(self.0.map(|quad| quad.map(double)))
+    }
+}
+
+/// World inverse inertia in double precision, laid out like [`InertiaRow`].
+#[derive(Clone, Copy, Debug)]
+pub struct ExactInertia([[f64; 4]; 2]);
+
+impl ExactInertia {
+    /// I_w⁻¹ v.
+    #[inline(always)]
+    pub fn times(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        let [[xx, xy, xz, yy], [yz, zz, ..]] = self.0;
         [xx * x + xy * y + xz * z, xy * x + yy * y + yz * z, xz * x + yz * y + zz * z]
     }
 }

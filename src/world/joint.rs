@@ -3,7 +3,7 @@
 use super::{BodyId, BodyType, JointId, JointMut, JointRef, World};
 use crate::body::{NONE, SetId};
 use crate::constraint::joint::store::coordinate;
-use crate::constraint::joint::{Angle, GearJoint, Joint, JointKind, MAX_ROWS, Rows, geometry};
+use crate::constraint::joint::{Angle, GearJoint, Joint, JointKind, MAX_ROWS, geometry};
 use crate::error::{Error, ErrorCode, Result, check};
 use crate::event::JointEvent;
 use crate::math::scalar::double;
@@ -400,13 +400,12 @@ impl World {
     /// The greatest error of what joints hold, by the present poses: of lengths \[m\] and of angles \[rad\].
     #[must_use]
     pub fn joint_gap(&self) -> (Float, Float) {
-        let mut rows = Rows::default();
         self.joints.live.iter().fold((0.0, 0.0), |(gap, angle): (Float, Float), &j| {
             let joint = &self.joints.joints[j as usize];
             if !joint.active || joint.hertz > 0.0 {
                 return (gap, angle);
             }
-            let (linear, angular) = joint.separation(&self.bodies, &mut rows);
+            let (linear, angular) = joint.separation(&self.bodies);
             (gap.max(linear), angle.max(angular))
         })
     }

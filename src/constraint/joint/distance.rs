@@ -67,7 +67,7 @@ impl DistanceJoint {
     }
 
     /// See the module.
-    pub fn emit(&self, g: &Geometry, rows: &mut Rows) {
+    pub fn emit(&self, g: &Geometry, rows: &mut impl Rows) {
         let size = length(g.d);
         let spring =
             Law::Spring { hertz: self.hertz, damping_ratio: self.damping_ratio, force: self.spring_force };

@@ -36,8 +36,8 @@ impl GearJoint {
     }
 
     /// See the module.
-    pub fn emit(&self, [first, second]: [&Coordinate; 2], rows: &mut Rows) {
-        rows.rows.push(JointRow {
+    pub fn emit(&self, [first, second]: [&Coordinate; 2], rows: &mut impl Rows) {
+        rows.push(JointRow {
             sides: first.sides,
             more: Some(second.sides.map(|s| s.times(self.ratio))),
             c: first.value + self.ratio * second.value,

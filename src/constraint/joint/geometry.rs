@@ -55,7 +55,8 @@ impl Geometry {
     }
 
     /// Holds the origins together, by the given law.
-    pub fn hold_points(&self, rows: &mut Rows, law: Law) {
+    #[inline]
+    pub fn hold_points(&self, rows: &mut impl Rows, law: Law) {
         let [a, b] = self.middle_arms();
         for (k, u) in [Vec3::x(), Vec3::y(), Vec3::z()].into_iter().enumerate() {
             rows.linear(u, a, b, self.d[k], law);
@@ -64,7 +65,7 @@ impl Geometry {
 
     /// Holds frame B's axes along frame A's, by the given law. C is twice the vector part of the relative rotation:
     /// the rotation vector, up to third order.
-    pub fn hold_rotation(&self, rows: &mut Rows, law: Law) {
+    pub fn hold_rotation(&self, rows: &mut impl Rows, law: Law) {
         let e = rotation_vector(&self.relative());
         for k in 0..3 {
             rows.angular(self.axis(0, k), e[k], law);
@@ -73,7 +74,7 @@ impl Geometry {
 
     /// Holds axis `k` of frame B along axis `k` of frame A: of b = R_b e_k the parts across a = R_a e_k vanish,
     ///   C = b · u,  Ċ = (ω_B − ω_A) · (b × u)   for the other two axes u of frame A.
-    pub fn align_axes(&self, rows: &mut Rows, k: usize, law: Law) {
+    pub fn align_axes(&self, rows: &mut impl Rows, k: usize, law: Law) {
         let b = self.axis(1, k);
         for j in [(k + 1) % 3, (k + 2) % 3] {
             let u = self.axis(0, j);

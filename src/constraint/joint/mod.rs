@@ -57,6 +57,7 @@ pub use wheel::WheelJoint;
 
 use crate::error::Result;
 use crate::math::{Float, Vec3};
+use parts::along;
 
 /// What is between the two frames, with its parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -141,7 +142,7 @@ impl JointKind {
     }
 
     /// The rows of a joint whose frames are at `g`. The same joint gives the same rows in the same order each time.
-    pub fn emit(&self, g: &Geometry, rows: &mut Rows) {
+    pub fn emit(&self, g: &Geometry, rows: &mut impl Rows) {
         match self {
             Self::Distance(j) => j.emit(g, rows),
             Self::Filter | Self::Gear(_) | Self::RackPinion(_) => {}
@@ -157,6 +158,14 @@ impl JointKind {
             Self::Pulley(j) => j.emit(g, rows),
             Self::Screw(j) => j.emit(g, rows),
         }
+    }
+
+    /// The same as a list.
+    #[must_use]
+    pub fn rows(&self, g: &Geometry) -> Vec<JointRow> {
+        let mut rows = Vec::new();
+        self.emit(g, &mut |row: JointRow| rows.push(row));
+        rows
     }
 
     /// Whether two kinds are the same joint with maybe other parameters.
@@ -244,31 +253,34 @@ pub struct JointRow {
 /// The most rows of a joint: six axes with a hard row or two limits, a spring, a motor and friction each.
 pub const MAX_ROWS: usize = 36;
 
-/// The rows of a joint, as they are written down.
-#[derive(Debug, Default)]
-pub struct Rows {
-    /// In the joint's own order.
-    pub rows: Vec<JointRow>,
-}
+/// What takes the rows of a joint, in the joint's own order, as they are written down: any function of a row.
+pub trait Rows {
+    /// Takes a row.
+    fn push(&mut self, row: JointRow);
 
-impl Rows {
     /// A row that sees how B's point at `arm_b` moves against A's at `arm_a` along `u` (arms from the centres of
     /// mass).
-    pub fn linear(&mut self, u: Vec3, arm_a: Vec3, arm_b: Vec3, c: Float, law: Law) {
-        let sides =
-            [Side { linear: -u, angular: -arm_a.cross(&u) }, Side { linear: u, angular: arm_b.cross(&u) }];
-        self.rows.push(JointRow { sides, more: None, c, law, angular: false });
+    #[inline]
+    fn linear(&mut self, u: Vec3, arm_a: Vec3, arm_b: Vec3, c: Float, law: Law) {
+        self.general(along(u, [arm_a, arm_b]), c, law, false);
     }
 
     /// A row that sees how B turns against A about `u`.
-    pub fn angular(&mut self, u: Vec3, c: Float, law: Law) {
-        let zero = Vec3::zeros();
-        let sides = [Side { linear: zero, angular: -u }, Side { linear: zero, angular: u }];
-        self.rows.push(JointRow { sides, more: None, c, law, angular: true });
+    #[inline]
+    fn angular(&mut self, u: Vec3, c: Float, law: Law) {
+        self.general(axis_sides(u), c, law, true);
     }
 
     /// A row with these sides.
-    pub fn general(&mut self, sides: [Side; 2], c: Float, law: Law, angular: bool) {
-        self.rows.push(JointRow { sides, more: None, c, law, angular });
+    #[inline]
+    fn general(&mut self, sides: [Side; 2], c: Float, law: Law, angular: bool) {
+        self.push(JointRow { sides, more: None, c, law, angular });
+    }
+}
+
+impl<F: FnMut(JointRow)> Rows for F {
+    #[inline]
+    fn push(&mut self, row: JointRow) {
+        self(row);
     }
 }

@@ -64,7 +64,7 @@ impl MotorJoint {
     }
 
     /// Up to twelve rows, three for each of springs and velocities that has a force.
-    pub fn emit(&self, g: &Geometry, rows: &mut Rows) {
+    pub fn emit(&self, g: &Geometry, rows: &mut impl Rows) {
         let [a, b] = g.middle_arms();
         let spring =
             |hertz, damping_ratio, max: Float| Law::Spring { hertz, damping_ratio, force: [-max, max] };

@@ -31,7 +31,7 @@ impl ParallelJoint {
     }
 
     /// Two rows, see [`Geometry::align_axes`].
-    pub fn emit(&self, g: &Geometry, rows: &mut Rows) {
+    pub fn emit(&self, g: &Geometry, rows: &mut impl Rows) {
         let force = [-self.max_torque, self.max_torque];
         let law = Law::Spring { hertz: self.hertz, damping_ratio: self.damping_ratio, force };
         if self.hertz > 0.0 && self.max_torque > 0.0 {

@@ -114,7 +114,7 @@ impl Drive {
     }
 
     /// Its rows for the coordinate `c`, whose rate the sides give.
-    pub fn emit(&self, sides: [Side; 2], c: Float, angular: bool, rows: &mut Rows) {
+    pub fn emit(&self, sides: [Side; 2], c: Float, angular: bool, rows: &mut impl Rows) {
         if self.spring.acts() {
             rows.general(sides, c - self.target, self.spring.law(), angular);
         }
@@ -143,6 +143,7 @@ impl Drive {
 }
 
 /// The sides of a turn of B against A about `u`.
+#[inline]
 #[must_use]
 pub fn about(u: Vec3) -> [Side; 2] {
     let zero = Vec3::zeros();
@@ -150,6 +151,7 @@ pub fn about(u: Vec3) -> [Side; 2] {
 }
 
 /// The sides of a slide of B against A along `u`, with arms to where it acts.
+#[inline]
 #[must_use]
 pub fn along(u: Vec3, [a, b]: [Vec3; 2]) -> [Side; 2] {
     [Side { linear: -u, angular: -a.cross(&u) }, Side { linear: u, angular: b.cross(&u) }]

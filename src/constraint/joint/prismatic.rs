@@ -23,7 +23,7 @@ impl PrismaticJoint {
     }
 
     /// See the module.
-    pub fn emit(&self, g: &Geometry, rows: &mut Rows) {
+    pub fn emit(&self, g: &Geometry, rows: &mut impl Rows) {
         let [a, b] = g.arms_at_b();
         for k in [1, 2] {
             let u = g.axis(0, k);

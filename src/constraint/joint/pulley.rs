@@ -59,7 +59,7 @@ impl PulleyJoint {
     }
 
     /// See the module.
-    pub fn emit(&self, g: &Geometry, rows: &mut Rows) {
+    pub fn emit(&self, g: &Geometry, rows: &mut impl Rows) {
         let parts = self.parts(g);
         let unit = |v: Vec3| {
             let l = length(v);

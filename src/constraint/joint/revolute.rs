@@ -21,7 +21,7 @@ impl RevoluteJoint {
     }
 
     /// See the module.
-    pub fn emit(&self, g: &Geometry, rows: &mut Rows) {
+    pub fn emit(&self, g: &Geometry, rows: &mut impl Rows) {
         g.hold_points(rows, Law::Equal);
         g.align_axes(rows, 2, Law::Equal);
         self.drive.emit(about(g.axis(0, 2)), g.angle_about(2, 0).radians(), true, rows);

@@ -46,7 +46,7 @@ impl SixDofJoint {
     }
 
     /// See the module.
-    pub fn emit(&self, g: &Geometry, rows: &mut Rows) {
+    pub fn emit(&self, g: &Geometry, rows: &mut impl Rows) {
         let arms = g.arms_at_b();
         let turn = rotation_vector(&g.relative());
         for k in 0..3 {
@@ -60,7 +60,13 @@ impl SixDofJoint {
     }
 }
 
-fn emit_axis(axis: &Axis, sides: [super::Side; 2], c: crate::math::Float, angular: bool, rows: &mut Rows) {
+fn emit_axis(
+    axis: &Axis,
+    sides: [super::Side; 2],
+    c: crate::math::Float,
+    angular: bool,
+    rows: &mut impl Rows,
+) {
     if axis.mode == AxisMode::Locked {
         rows.general(sides, c, Law::Equal, angular);
         return;

@@ -72,7 +72,7 @@ impl SphericalJoint {
     }
 
     /// See the module.
-    pub fn emit(&self, g: &Geometry, rows: &mut Rows) {
+    pub fn emit(&self, g: &Geometry, rows: &mut impl Rows) {
         g.hold_points(rows, Law::Equal);
         let springs = self.spring.enable && self.spring.hertz > 0.0;
         if springs {

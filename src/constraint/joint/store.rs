@@ -3,7 +3,7 @@
 use super::gear::Coordinate;
 use super::geometry::{Angle, Geometry, twist};
 use super::parts::{about, along};
-use super::{JointKind, MAX_ROWS, Rows};
+use super::{JointKind, JointRow, Law, MAX_ROWS};
 use crate::body::{BodyStore, NONE, SetId};
 use crate::math::{Float, Pose, Vec3, rotate};
 use crate::world::BodyType;
@@ -93,22 +93,20 @@ impl Joint {
 
     /// The errors of its hard rows, by the present poses: of lengths \[m\] and of angles \[rad\].
     #[must_use]
-    pub fn separation(&self, bodies: &BodyStore, rows: &mut Rows) -> (Float, Float) {
-        rows.rows.clear();
-        self.kind.emit(&self.geometry(bodies), rows);
+    pub fn separation(&self, bodies: &BodyStore) -> (Float, Float) {
         let (mut linear, mut angular) = (0.0, 0.0);
-        for row in &rows.rows {
+        self.kind.emit(&self.geometry(bodies), &mut |row: JointRow| {
             let error = match row.law {
-                super::Law::Equal => row.c,
-                super::Law::AtLeast => row.c.min(0.0),
-                _ => continue,
+                Law::Equal => row.c,
+                Law::AtLeast => row.c.min(0.0),
+                _ => return,
             };
             if row.angular {
                 angular += error * error;
             } else {
                 linear += error * error;
             }
-        }
+        });
         (linear.sqrt(), angular.sqrt())
     }
 }

@@ -22,7 +22,7 @@ impl UniversalJoint {
     }
 
     /// See the module.
-    pub fn emit(&self, g: &Geometry, rows: &mut Rows) {
+    pub fn emit(&self, g: &Geometry, rows: &mut impl Rows) {
         g.hold_points(rows, Law::Equal);
         let (x, y) = (g.axis(0, 0), g.axis(1, 1));
         rows.angular(y.cross(&x), x.dot(&y), Law::Equal);

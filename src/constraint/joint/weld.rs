@@ -28,7 +28,7 @@ impl WeldJoint {
     }
 
     /// Six rows: the origins together, the axes along each other.
-    pub fn emit(&self, g: &Geometry, rows: &mut Rows) {
+    pub fn emit(&self, g: &Geometry, rows: &mut impl Rows) {
         g.hold_points(rows, law(self.linear_hertz, self.linear_damping_ratio));
         g.hold_rotation(rows, law(self.angular_hertz, self.angular_damping_ratio));
     }

@@ -35,7 +35,7 @@ impl WheelJoint {
     }
 
     /// See the module.
-    pub fn emit(&self, g: &Geometry, rows: &mut Rows) {
+    pub fn emit(&self, g: &Geometry, rows: &mut impl Rows) {
         let arms = g.arms_at_b();
         let x = g.axis(0, 0);
         for k in [1, 2] {

@@ -7,8 +7,9 @@
 use super::Placed;
 use super::elimination::{Elimination, by_size};
 use super::row::SolverRow;
+use crate::constraint::joint::Side as Sees;
 use crate::math::scalar::double;
-use crate::solver::rows::Rows;
+use crate::solver::rows::{ExactInertia, Rows};
 
 /// What the rows of each node see of its bodies, and do to them.
 #[derive(Debug, Default)]
@@ -18,7 +19,8 @@ pub struct Blocks {
     first: Vec<usize>,
     /// Of each side six numbers for each row, row by row: what it sees of v and of ω.
     seen: Vec<f64>,
-    /// Of each side six lists with a number for each row: what it does to v but for the inverse mass, and to ω.
+    /// Of each side six lists with a number for each row: what it does to v but for the inverse mass, and to ω. The
+    /// lists have an even length.
     done: Vec<f64>,
 }
 
@@ -28,7 +30,8 @@ struct Side {
     body: u32,
     inv_mass: f64,
     /// Where its numbers begin.
-    at: usize,
+    seen: usize,
+    done: usize,
 }
 
 impl Blocks {
@@ -49,29 +52,24 @@ impl Blocks {
     ) {
         self.sides.clear();
         self.first.clear();
-        self.seen.clear();
-        self.done.clear();
+        let (mut seen_end, mut done_end) = (0, 0);
         for (position, &node) in plan.order.iter().enumerate() {
             self.first.push(self.sides.len());
             let d = plan.dim(position);
             let own = &hard[plan.start(position)..][..d];
             let Some(&one) = own.first() else { continue };
-            let count = solver_rows[one as usize].side_count();
-            for (side, &body) in
-                list[node as usize].body[..count].iter().enumerate().filter(|(_, b)| **b != 0)
-            {
-                let at = self.seen.len();
-                self.sides.push(Side { body, inv_mass: double(rows.row[body as usize].inv_mass()), at });
-                self.done.resize(at + 6 * d, 0.0);
-                let done = &mut self.done[at..];
-                for (r, &k) in own.iter().enumerate() {
-                    let (seen, turn) = solver_rows[k as usize].exact_side(side, rows);
-                    self.seen.extend_from_slice(&seen);
-                    for e in 0..3 {
-                        done[e * d + r] = seen[e];
-                        done[(3 + e) * d + r] = turn[e];
-                    }
+            for side in 0..solver_rows[one as usize].side_count() {
+                let body = list[node as usize].body[side];
+                if body == 0 {
+                    continue;
                 }
+                let inv_mass = double(rows.row[body as usize].inv_mass());
+                self.sides.push(Side { body, inv_mass, seen: seen_end, done: done_end });
+                let seen = take(&mut self.seen, &mut seen_end, 6 * d);
+                let done = take(&mut self.done, &mut done_end, 6 * even(d));
+                let inertia = rows.inertia[body as usize].exact();
+                let own = own.iter().map(|&k| solver_rows[k as usize].side(side));
+                by_size!(d, d => lay_out_side(own, &inertia, seen, done, d));
             }
         }
         self.first.push(self.sides.len());
@@ -94,7 +92,7 @@ impl Blocks {
         for a in &self.sides[self.first[k]..self.first[k + 1]] {
             for b in &self.sides[self.first[l]..self.first[l + 1]] {
                 if a.body == b.body {
-                    let (seen, done) = (&self.seen[a.at..], &self.done[b.at..]);
+                    let (seen, done) = (&self.seen[a.seen..], &self.done[b.done..]);
                     by_size!(d, d => add_products(block, seen, done, b.inv_mass, d));
                 }
             }
@@ -102,22 +100,61 @@ impl Blocks {
     }
 }
 
-/// Adds to a block of `d` columns what its rows see of what its columns do to one body.
+/// The next even number.
 #[inline(always)]
-fn add_products(block: &mut [f64], seen: &[f64], done: &[f64], inv_mass: f64, d: usize) {
-    let (linear, angular) = done[..6 * d].split_at(3 * d);
-    let ([x, y, z], [u, v, w]) = (thirds(linear, d), thirds(angular, d));
-    for (row, seen) in block.chunks_exact_mut(d).zip(seen.chunks_exact(6)) {
-        for c in 0..d {
-            let linear = seen[0] * x[c] + seen[1] * y[c] + seen[2] * z[c];
-            let angular = seen[3] * u[c] + seen[4] * v[c] + seen[5] * w[c];
-            row[c] += linear * inv_mass + angular;
+fn even(d: usize) -> usize {
+    d + d % 2
+}
+
+/// The next `count` numbers of a list that is only ever made longer, whatever they were.
+fn take<'a>(list: &'a mut Vec<f64>, end: &mut usize, count: usize) -> &'a mut [f64] {
+    let start = *end;
+    *end += count;
+    if list.len() < *end {
+        list.resize(*end, 0.0);
+    }
+    &mut list[start..*end]
+}
+
+/// Lays out what `d` rows see of a body with this inverse inertia, and do to it.
+#[inline(always)]
+fn lay_out_side<'a>(
+    own: impl Iterator<Item = &'a Sees>,
+    inertia: &ExactInertia,
+    seen: &mut [f64],
+    done: &mut [f64],
+    d: usize,
+) {
+    let done = &mut done[..6 * even(d)];
+    for (r, (Sees { linear, angular }, seen)) in own.zip(seen.chunks_exact_mut(6)).take(d).enumerate() {
+        let (linear, angular) = ([0, 1, 2].map(|e| double(linear[e])), [0, 1, 2].map(|e| double(angular[e])));
+        let turn = inertia.times(angular);
+        for e in 0..3 {
+            seen[e] = linear[e];
+            seen[3 + e] = angular[e];
+            done[e * even(d) + r] = linear[e];
+            done[(3 + e) * even(d) + r] = turn[e];
         }
     }
 }
 
-/// Three lists of length `d` that stand one after the other.
+/// Adds to a block of `d` columns what its rows see of what its columns do to one body, two columns side by side.
 #[inline(always)]
-fn thirds(lists: &[f64], d: usize) -> [&[f64]; 3] {
-    [&lists[..d], &lists[d..2 * d], &lists[2 * d..3 * d]]
+fn add_products(block: &mut [f64], seen: &[f64], done: &[f64], inv_mass: f64, d: usize) {
+    let done = &done[..6 * even(d)];
+    for (row, seen) in block.chunks_exact_mut(d).zip(seen.chunks_exact(6)) {
+        for c in (0..d).step_by(2) {
+            let two = |e: usize| [done[e * even(d) + c], done[e * even(d) + c + 1]];
+            let [x, y, z, u, v, w] = [two(0), two(1), two(2), two(3), two(4), two(5)];
+            let sum = [0, 1].map(|i| {
+                let linear = seen[0] * x[i] + seen[1] * y[i] + seen[2] * z[i];
+                let angular = seen[3] * u[i] + seen[4] * v[i] + seen[5] * w[i];
+                linear * inv_mass + angular
+            });
+            row[c] += sum[0];
+            if c + 1 < d {
+                row[c + 1] += sum[1];
+            }
+        }
+    }
 }

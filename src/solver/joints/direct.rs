@@ -7,7 +7,8 @@
 use super::Placed;
 use super::blocks::Blocks;
 use super::elimination::Elimination;
-use super::row::{PUSH_SPEED, PUSH_SPEED_ANGULAR, SolverRow};
+use super::row::{PUSH_SPEED, PUSH_SPEED_ANGULAR, Pair, SolverRow};
+use crate::math::Float;
 use crate::math::scalar::{double, single};
 use crate::solver::rows::Rows;
 
@@ -101,12 +102,9 @@ impl System<'_> {
         }
         self.solver_rows[k].lambda += change;
         self.solver_rows[k].apply(change, self.rows);
-        for (&hard, y) in self.hard.iter().zip(&self.work.responses[start..start + n]) {
-            let row = &mut self.solver_rows[hard as usize];
-            let also = single(y * double(change));
-            row.lambda += also;
-            row.apply(also, self.rows);
-        }
+        let Self { plan, list, hard, solver_rows, rows, work, .. } = self;
+        let answer = &work.responses[start..start + n];
+        apply(plan, list, hard, solver_rows, rows, |u| single(answer[u] * double(change)));
         change.abs() > 1e-4 * self.solver_rows[k].lambda.abs()
     }
 
@@ -165,12 +163,8 @@ impl System<'_> {
             anew = true;
         }
         self.work.wanted = wanted;
-        for (&k, &change) in self.hard.iter().zip(&self.work.unknown) {
-            let row = &mut self.solver_rows[k as usize];
-            let change = single(change);
-            row.lambda += change;
-            row.apply(change, self.rows);
-        }
+        let Self { plan, list, hard, solver_rows, rows, work, .. } = self;
+        apply(plan, list, hard, solver_rows, rows, |u| single(work.unknown[u]));
     }
 
     /// Factors the system: W, its diagonal, and the least part of that by one body.
@@ -193,6 +187,27 @@ impl System<'_> {
             }
         }
         self.plan.factor(factor, size, least);
+    }
+}
+
+/// Changes the impulses of the unbounded rows by what `change` says of each unknown.
+fn apply(
+    plan: &Elimination,
+    list: &[Placed],
+    hard: &[u32],
+    solver_rows: &mut [SolverRow],
+    rows: &mut Rows,
+    change: impl Fn(usize) -> Float,
+) {
+    for (position, &node) in plan.order.iter().enumerate() {
+        let mut pair = Pair::of(list[node as usize].body, rows);
+        for u in plan.start(position)..plan.start(position) + plan.dim(position) {
+            let row = &mut solver_rows[hard[u] as usize];
+            let change = change(u);
+            row.lambda += change;
+            pair.apply(row, change, rows);
+        }
+        pair.give_back(rows);
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::elimination::Elimination;
 use crate::body::{BodyStore, NONE};
-use crate::constraint::joint::{JointKind, JointStore, Rows as Drafts, SphericalJoint};
+use crate::constraint::joint::{JointKind, JointRow, JointStore, SphericalJoint};
 use crate::world::BodyType;
 
 /// Larger groups are not even looked at for a plan.
@@ -44,7 +44,6 @@ impl Groups {
         self.list.clear();
         let mut seen = vec![false; joints.joints.len()];
         let mut place = vec![NONE; joints.joints.len()];
-        let mut drafts = Drafts::default();
         for &seed in &joints.live {
             if seen[seed as usize] || !joints.joints[seed as usize].active {
                 continue;
@@ -67,8 +66,7 @@ impl Groups {
             }
             let mut group = Group { joints: group, ..Group::default() };
             if group.joints.len() <= MOST_PLANNED {
-                let dims: Vec<usize> =
-                    group.joints.iter().map(|&j| hard_rows(j, store, joints, &mut drafts)).collect();
+                let dims: Vec<usize> = group.joints.iter().map(|&j| hard_rows(j, store, joints)).collect();
                 let mut edges = Vec::new();
                 for (i, &j) in group.joints.iter().enumerate() {
                     let near = neighbours(j, store, joints).filter(|&other| other != j);
@@ -135,12 +133,14 @@ fn neighbours<'a>(
 }
 
 /// How many unbounded rows a joint has.
-fn hard_rows(index: u32, store: &BodyStore, joints: &JointStore, drafts: &mut Drafts) -> usize {
+fn hard_rows(index: u32, store: &BodyStore, joints: &JointStore) -> usize {
     let joint = &joints.joints[index as usize];
     if is_gear(&joint.kind) {
         return 1;
     }
-    drafts.rows.clear();
-    joint.kind.emit(&joint.geometry(store), drafts);
-    drafts.rows.iter().filter(|r| r.law.is_unbounded()).count()
+    let mut count = 0;
+    joint
+        .kind
+        .emit(&joint.geometry(store), &mut |row: JointRow| count += usize::from(row.law.is_unbounded()));
+    count
 }

@@ -26,7 +26,7 @@ mod row;
 
 use crate::body::{BodyStore, NONE, SetId};
 use crate::constraint::joint::store::{coordinate, follow_turns};
-use crate::constraint::joint::{Angle, Geometry, JointKind, JointStore, Rows as Drafts};
+use crate::constraint::joint::{Angle, Geometry, JointKind, JointRow, JointStore};
 use crate::integrate::{Integrator, PrincipalAxes, with_integrator};
 use crate::math::{Float, Quat, Vec3, length, rotate};
 use crate::simd::Quad;
@@ -38,7 +38,7 @@ pub use direct::Aim;
 use direct::Direct;
 use groups::Groups;
 use mesh::{Balls, BeginRelax, End, Forget, LookAhead, Solve, WarmStart};
-use row::{PUSH_SPEED, Pass, SolverRow};
+use row::{PUSH_SPEED, Pair, Pass, SolverRow};
 use std::ops::Range;
 
 /// A joint of an awake island.
@@ -103,9 +103,10 @@ pub struct Workspace {
     balls: Balls,
     /// Batch and group of the awake ones.
     order: Vec<(u32, u32)>,
-    drafts: Drafts,
     /// Where a body would be after the sub-step: displacement and turn, by solver row.
     ahead: Vec<[Quad; 2]>,
+    /// Acceleration, and what torque does, of bodies that are moved by less than their velocity, by solver row; else 0.
+    lead: Vec<[Vec3; 2]>,
     /// Solver rows of the bodies that have joints, by component.
     members: Vec<u32>,
     /// Velocities of members before a pass.
@@ -207,9 +208,11 @@ impl Workspace {
         }
         self.ahead.clear();
         self.load.clear();
+        self.lead.clear();
         if self.joint_count > 0 {
             self.ahead.resize(bodies.rows.row.len(), AT_HOME);
             self.load.resize(bodies.rows.row.len(), [0.0; 2]);
+            self.lead.resize(bodies.rows.row.len(), [Vec3::zeros(); 2]);
         }
     }
 
@@ -259,14 +262,23 @@ impl Workspace {
                 push: joint.push,
             });
             let place = self.joints.len() - 1;
-            self.write_drafts(place, joints, |_| AT_HOME);
-            let first = self.rows.len();
-            for (draft, &impulse) in self.drafts.rows.iter().zip(&joint.impulse) {
-                let mut row = SolverRow::new(draft, joint, body, settings.h(), mesh);
-                row.place(draft, &bodies.rows);
-                row.lambda = impulse * scale;
-                self.rows.push(row);
-            }
+            let (first, mut impulses) = (self.rows.len(), joint.impulse.iter());
+            let rows = &mut self.rows;
+            let geometry = self.joints[place].geometry(|_| AT_HOME);
+            draft(
+                &self.joints,
+                place,
+                joints,
+                &geometry,
+                |_| AT_HOME,
+                |draft| {
+                    let Some(impulse) = impulses.next() else { return };
+                    let mut row = SolverRow::new(draft, joint, body, settings.h(), mesh);
+                    row.place(draft, &bodies.rows);
+                    row.lambda = impulse * scale;
+                    rows.push(row);
+                },
+            );
             self.joints[place].rows = first..self.rows.len();
         }
         let (hard, bounded) = self.sort_rows(group, start);
@@ -329,28 +341,6 @@ impl Workspace {
         let bounded = self.solved.len();
         self.solved.extend(rows_of(joints).filter(|&k| !rows[k].unbounded).map(|k| k as u32));
         (hard..bounded, bounded..self.solved.len())
-    }
-
-    /// Writes the rows of a joint down, with its bodies moved and turned since the step began by what `moves` says.
-    fn write_drafts(&mut self, place: usize, joints: &JointStore, moves: impl Fn(u32) -> [Quad; 2] + Copy) {
-        self.drafts.rows.clear();
-        let placed = &self.joints[place];
-        let joint = &joints.joints[placed.joint as usize];
-        match &joint.kind {
-            JointKind::Gear(gear) | JointKind::RackPinion(gear) => {
-                let coordinates = [0, 1].map(|k| {
-                    let part = &self.joints[placed.parts[k] as usize];
-                    let kind = &joints.joints[part.joint as usize].kind;
-                    let mut c = coordinate(kind, &part.geometry(moves))?;
-                    c.value -= crate::math::scalar::single(joint.start[k]);
-                    Some(c)
-                });
-                if let [Some(first), Some(second)] = &coordinates {
-                    gear.emit([first, second], &mut self.drafts);
-                }
-            }
-            kind => kind.emit(&placed.geometry(moves), &mut self.drafts),
-        }
     }
 
     /// Before forces act: springs note how fast they move.
@@ -416,8 +406,12 @@ impl Workspace {
     pub fn warm_start(&mut self, batch: usize, rows: &mut Rows) {
         for c in self.batches[batch].clone() {
             self.note_velocities(c, rows);
-            for row in &self.rows[rows_of(&self.joints[self.components[c].joints.clone()])] {
-                row.apply(row.lambda, rows);
+            for placed in &self.joints[self.components[c].joints.clone()] {
+                let mut pair = Pair::of(placed.body, rows);
+                for row in &self.rows[placed.rows.clone()] {
+                    pair.apply(row, row.lambda, rows);
+                }
+                pair.give_back(rows);
             }
             self.balls.each(self.components[c].colors.clone(), rows, WarmStart);
             self.note_momenta(c, rows);
@@ -433,23 +427,28 @@ impl Workspace {
             let Component { joints: places, planned, colors, .. } = self.components[c].clone();
             // With a plan the velocities are brought in order first, at the price of one more back-substitution: what
             // lies ahead is then nearly right, on light bodies, too.
+            self.note_leads(c, &bodies.rows);
             if planned {
                 for row in &mut self.rows[rows_of(&self.joints[places.clone()])] {
-                    row.want(Pass::Guess, &bodies.rows, sub, lag);
+                    row.want(Pass::Guess, &bodies.rows, sub, &self.lead, lag);
                 }
                 self.impulses(c, &mut bodies.rows, true, Aim::Push);
             }
             // A load that comes at once, such as the first one, is borne at once.
             let heavier = planned && self.bear_loads(c, bodies, sub.h, 4.0);
+            if heavier {
+                self.note_leads(c, &bodies.rows);
+            }
             with_integrator!(sub.integrator, I => self.look_ahead::<I>(c, bodies, sub.h));
             for place in places {
-                let ahead = std::mem::take(&mut self.ahead);
-                self.write_drafts(place, joints, |row| ahead[row as usize]);
-                self.ahead = ahead;
-                let placed = &self.joints[place];
-                for (row, draft) in self.rows[placed.rows.clone()].iter_mut().zip(&self.drafts.rows) {
-                    row.want(Pass::Solve { predicted: draft.c }, &bodies.rows, sub, lag);
-                }
+                let mut own = self.rows[self.joints[place].rows.clone()].iter_mut();
+                let ahead = |row: u32| self.ahead[row as usize];
+                let geometry = self.joints[place].geometry(ahead);
+                draft(&self.joints, place, joints, &geometry, ahead, |draft| {
+                    if let Some(row) = own.next() {
+                        row.want(Pass::Solve { predicted: draft.c }, &bodies.rows, sub, &self.lead, lag);
+                    }
+                });
             }
             self.balls.each(
                 colors.clone(),
@@ -509,14 +508,17 @@ impl Workspace {
         placed.arm_b = geometry.arm[1];
         let joint = &joints.joints[placed.joint as usize];
         follow_turns(&joint.kind, &geometry, &mut placed.turns);
-        self.write_drafts(place, joints, moved);
-        let placed = &mut self.joints[place];
+        let geometry = Geometry { turns: placed.turns, ..geometry };
+        let mut own = self.rows[placed.rows.clone()].iter_mut();
         let mut left = 0.0;
-        for (row, draft) in self.rows[placed.rows.clone()].iter_mut().zip(&self.drafts.rows) {
-            row.place(draft, &bodies.rows);
-            row.want(Pass::Relax, &bodies.rows, sub, 0.0);
-            left += row.error(sub).0;
-        }
+        draft(&self.joints, place, joints, &geometry, moved, |draft| {
+            if let Some(row) = own.next() {
+                row.place(draft, &bodies.rows);
+                row.want(Pass::Relax, &bodies.rows, sub, &[], 0.0);
+                left += row.error(sub).0;
+            }
+        });
+        let placed = &mut self.joints[place];
         // Velocities can always be brought in order, places not: joints that contradict each other would be pushed for
         // ever. Where an error does not go, the push does; what contacts press on is no contradiction, and keeps some.
         let touched = placed.body.iter().any(|&b| b != 0 && bodies.rows.aux[b as usize].touched);
@@ -530,6 +532,18 @@ impl Workspace {
         }
         for row in &mut self.rows[placed.rows.clone()] {
             row.share = placed.push;
+        }
+    }
+
+    /// Notes by how much the velocities of members are ahead of their mean motion, per time.
+    fn note_leads(&mut self, component: usize, rows: &Rows) {
+        for &m in &self.members[self.components[component].members.clone()] {
+            let aux = &rows.aux[m as usize];
+            self.lead[m as usize] = if aux.lags() {
+                [aux.accel, rows.inertia[m as usize].times(aux.torque)]
+            } else {
+                [Vec3::zeros(); 2]
+            };
         }
     }
 
@@ -623,6 +637,36 @@ impl Workspace {
             joint.total_dt = dt;
         }
         self.balls.store(joints, dt);
+    }
+}
+
+/// Hands on the rows of a joint one by one, its frames being where `geometry` says. Its bodies and those of the joints that
+/// a gear brings in step have moved and turned since the step began by what `moves` says.
+fn draft(
+    list: &[Placed],
+    place: usize,
+    joints: &JointStore,
+    geometry: &Geometry,
+    moves: impl Fn(u32) -> [Quad; 2] + Copy,
+    mut take: impl FnMut(&JointRow),
+) {
+    let placed = &list[place];
+    let joint = &joints.joints[placed.joint as usize];
+    let mut take = |row: JointRow| take(&row);
+    match &joint.kind {
+        JointKind::Gear(gear) | JointKind::RackPinion(gear) => {
+            let coordinates = [0, 1].map(|k| {
+                let part = &list[placed.parts[k] as usize];
+                let kind = &joints.joints[part.joint as usize].kind;
+                let mut c = coordinate(kind, &part.geometry(moves))?;
+                c.value -= crate::math::scalar::single(joint.start[k]);
+                Some(c)
+            });
+            if let [Some(first), Some(second)] = &coordinates {
+                gear.emit([first, second], &mut take);
+            }
+        }
+        kind => kind.emit(geometry, &mut take),
     }
 }
 

@@ -38,8 +38,6 @@ pub struct SolverRow {
     count: usize,
     /// I_w⁻¹ times their angular parts.
     turn: [Vec3; 2],
-    /// The same in double precision, for W: what single precision rounds off would make redundant rows look free.
-    exact_turn: [[f64; 3]; 2],
     law: Law,
     /// Whether λ has no bounds: hard rows and springs of any strength.
     pub unbounded: bool,
@@ -101,7 +99,6 @@ impl SolverRow {
             sides: [Side::default(); 4],
             count: 2,
             turn: [Vec3::zeros(); 2],
-            exact_turn: [[0.0; 3]; 2],
             law,
             unbounded: law.is_unbounded(),
             angular: draft.angular,
@@ -137,7 +134,6 @@ impl SolverRow {
         for k in 0..2 {
             let inertia = &rows.inertia[self.bodies[k] as usize];
             self.turn[k] = inertia.times(self.sides[k].angular);
-            self.exact_turn[k] = inertia.exact_times(self.sides[k].angular);
         }
         if self.law != Law::Equal {
             let k = single(self.coupling(self, rows));
@@ -152,16 +148,9 @@ impl SolverRow {
         bodies.zip(&self.sides[..self.count]).filter(|p| p.0 != 0)
     }
 
-    /// What its side on this body sees of it, and what a unit impulse does to the body but for the inverse mass: both in
-    /// double precision, the linear part first.
-    pub fn exact_side(&self, side: usize, rows: &Rows) -> ([f64; 6], [f64; 3]) {
-        let Side { linear, angular } = &self.sides[side];
-        let sees = [linear.x, linear.y, linear.z, angular.x, angular.y, angular.z].map(double);
-        let turn = match self.exact_turn.get(side) {
-            Some(&turn) => turn,
-            None => rows.inertia[self.bodies[side] as usize].exact_times(*angular),
-        };
-        (sees, turn)
+    /// One of its sides.
+    pub fn side(&self, side: usize) -> &Side {
+        &self.sides[side]
     }
 
     /// How many bodies it has, the immovable one counted: two or four.
@@ -172,21 +161,18 @@ impl SolverRow {
     /// Ċ.
     #[inline]
     pub fn speed(&self, rows: &Rows) -> Float {
-        self.parts().fold(0.0, |sum, (b, side)| {
-            let row = &rows.row[b];
+        // What does not move adds nothing.
+        self.bodies[..self.count].iter().zip(&self.sides).fold(0.0, |sum, (&b, side)| {
+            let row = &rows.row[b as usize];
             sum + (side.linear.dot(&row.v()) + side.angular.dot(&row.w()))
         })
     }
 
     /// By how much Ċ is ahead of the mean speed over the sub-step, where bodies are moved by less than their velocity.
-    fn ahead(&self, rows: &Rows, lag: Float) -> Float {
-        self.parts().fold(0.0, |sum, (b, side)| {
-            let aux = &rows.aux[b];
-            if !aux.lags() {
-                return sum;
-            }
-            let turn = rows.inertia[b].times(aux.torque);
-            sum + (side.linear.dot(&aux.accel) + side.angular.dot(&turn)) * lag
+    fn ahead(&self, lead: &[[Vec3; 2]], lag: Float) -> Float {
+        self.bodies[..self.count].iter().zip(&self.sides).fold(0.0, |sum, (&b, side)| {
+            let [accel, turn] = &lead[b as usize];
+            sum + (side.linear.dot(accel) + side.angular.dot(turn)) * lag
         })
     }
 
@@ -204,26 +190,27 @@ impl SolverRow {
         if self.law == Law::Equal { push.min(most) } else { push }
     }
 
-    /// Sets what the row is after in this pass.
-    pub fn want(&mut self, pass: Pass, rows: &Rows, sub: &SubStep, lag: Float) {
+    /// Sets what the row is after in this pass; `lead` is by how much bodies are ahead of their mean motion, per time.
+    #[inline]
+    pub fn want(&mut self, pass: Pass, rows: &Rows, sub: &SubStep, lead: &[[Vec3; 2]], lag: Float) {
         (self.scale, self.aim) = match (self.law, pass) {
             (Law::Equal | Law::AtLeast, Pass::Solve { predicted }) => {
                 (1.0, self.speed(rows) - self.push(sub) - (predicted - self.c) * sub.inv_h)
             }
             (Law::Equal | Law::AtLeast, Pass::Guess) => {
                 let push = self.push(sub);
-                (1.0, self.ahead(rows, lag) - push)
+                (1.0, self.ahead(lead, lag) - push)
             }
             (Law::Equal, Pass::Relax) => (1.0, 0.0),
             (Law::AtLeast, Pass::Relax) => (1.0, -self.c.max(0.0) * sub.inv_h),
             (Law::Motor { speed, .. }, Pass::Guess | Pass::Solve { .. }) => {
-                (1.0, speed + self.ahead(rows, lag))
+                (1.0, speed + self.ahead(lead, lag))
             }
             (Law::Motor { speed, .. }, Pass::Relax) => (1.0, speed),
             (Law::Spring { .. }, pass) => {
                 // The acceleration by everything else is (Ċ without the spring − start) / h.
                 let (of, extra) = match pass {
-                    Pass::Guess | Pass::Solve { .. } => (self.oscillator.mean, self.ahead(rows, lag)),
+                    Pass::Guess | Pass::Solve { .. } => (self.oscillator.mean, self.ahead(lead, lag)),
                     Pass::Relax => (self.oscillator.end, 0.0),
                 };
                 let per_speed = of[2] * sub.inv_h;
@@ -300,17 +287,17 @@ impl SolverRow {
         change.abs() > 1e-4 * lambda.abs()
     }
 
-    /// The element of W between this row and another: what an impulse of one changes of the other's Ċ.
+    /// The element of W between this row and another: what an impulse of one changes of the other's Ċ. In double
+    /// precision: what single precision rounds off would make redundant rows look free.
     pub fn coupling(&self, other: &SolverRow, rows: &Rows) -> f64 {
         let mut sum = 0.0;
         for (a, side) in self.parts() {
-            for (k, &b) in other.bodies[..other.count].iter().enumerate() {
-                if a != b as usize {
-                    continue;
+            for (b, there) in other.parts() {
+                if a == b {
+                    let linear = exact_dot(side.linear, there.linear.map(double).into());
+                    let turn = rows.inertia[b].exact().times(there.angular.map(double).into());
+                    sum += linear * double(rows.row[b].inv_mass()) + exact_dot(side.angular, turn);
                 }
-                let (there, turn) = other.exact_side(k, rows);
-                let linear = exact_dot(side.linear, [there[0], there[1], there[2]]);
-                sum += linear * double(rows.row[a].inv_mass()) + exact_dot(side.angular, turn);
             }
         }
         sum
@@ -320,21 +307,26 @@ impl SolverRow {
     /// redundant: the body yields along with all its mass, and turns about its joint, `arms` from its centre, instead of
     /// about itself.
     pub fn least_share(&self, arms: [Vec3; 2], rows: &Rows) -> f64 {
-        let arms = arms.into_iter().chain([Vec3::zeros(); 2]);
-        let parts =
-            self.bodies.iter().zip(&self.sides[..self.count]).zip(arms).filter(|((b, _), _)| **b != 0);
-        parts.fold(f64::INFINITY, |least, ((&b, side), arm)| {
-            let b = b as usize;
+        let mut least = f64::INFINITY;
+        for (k, side) in self.sides[..self.count].iter().enumerate() {
+            let b = self.bodies[k] as usize;
+            if b == 0 {
+                continue;
+            }
             let inv_mass = rows.row[b].inv_mass();
             let linear = side.linear.dot(&side.linear) * inv_mass;
             let angular = || {
                 let moment = rows.aux[b].moments.max();
+                let arm = arms.get(k).copied().unwrap_or_default();
                 let orbit = if inv_mass > 0.0 { arm.dot(&arm) / inv_mass } else { 0.0 };
                 if moment > 0.0 { side.angular.dot(&side.angular) / (moment + orbit) } else { 0.0 }
             };
             let share = double(if linear > 0.0 { linear } else { angular() });
-            if share > 0.0 { least.min(share) } else { least }
-        })
+            if share > 0.0 {
+                least = least.min(share);
+            }
+        }
+        least
     }
 
     /// For a spring that wants this of the system: about twice the energy it may add.
@@ -390,6 +382,51 @@ impl SolverRow {
         let p = self.sides[1].linear * impulse;
         *total += p;
         *angular += self.sides[1].angular * impulse - arm_b.cross(&p);
+    }
+}
+
+/// The bodies A and B of a joint while impulses of its rows act on them, one after another.
+pub struct Pair {
+    bodies: [u32; 2],
+    v: [Vec3; 2],
+    w: [Vec3; 2],
+    inv_mass: [Float; 2],
+}
+
+impl Pair {
+    /// With the velocities they have.
+    #[inline]
+    pub fn of(bodies: [u32; 4], rows: &Rows) -> Self {
+        let bodies = [bodies[0], bodies[1]];
+        let [a, b] = bodies.map(|b| &rows.row[b as usize]);
+        Self { bodies, v: [a.v(), b.v()], w: [a.w(), b.w()], inv_mass: [a.inv_mass(), b.inv_mass()] }
+    }
+
+    /// Applies the impulse `change` of a row.
+    #[inline]
+    pub fn apply(&mut self, row: &SolverRow, change: Float, rows: &mut Rows) {
+        if row.count > 2 {
+            self.give_back(rows);
+            row.apply(change, rows);
+            *self = Self::of(row.bodies, rows);
+            return;
+        }
+        for k in 0..2 {
+            self.v[k] += row.sides[k].linear * (change * self.inv_mass[k]);
+            self.w[k] += row.turn[k] * change;
+        }
+    }
+
+    /// Gives the bodies the velocities that they have now.
+    #[inline]
+    pub fn give_back(&self, rows: &mut Rows) {
+        for k in 0..2 {
+            if self.bodies[k] != 0 {
+                let row = &mut rows.row[self.bodies[k] as usize];
+                row.set_v(self.v[k]);
+                row.set_w(self.w[k]);
+            }
+        }
     }
 }
 

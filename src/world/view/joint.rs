@@ -1,7 +1,7 @@
 //! A joint, to be read and to be changed.
 
 use crate::constraint::joint::{
-    Geometry, Joint, JointKind, Rows, axis_sides, geometry, pulley::PulleyJoint, swing_twist, universal,
+    Geometry, Joint, JointKind, JointRow, axis_sides, geometry, pulley::PulleyJoint, swing_twist, universal,
     wheel,
 };
 use crate::error::{Error, ErrorCode, Result, check};
@@ -116,13 +116,13 @@ impl<'w> JointRef<'w> {
     /// The error of what it holds: of lengths \[m\].
     #[must_use]
     pub fn linear_separation(&self) -> Float {
-        self.at().separation(&self.world.bodies, &mut Rows::default()).0
+        self.at().separation(&self.world.bodies).0
     }
 
     /// The error of what it holds: of angles \[rad\].
     #[must_use]
     pub fn angular_separation(&self) -> Float {
-        self.at().separation(&self.world.bodies, &mut Rows::default()).1
+        self.at().separation(&self.world.bodies).1
     }
 
     /// Where the frames are.
@@ -238,13 +238,11 @@ impl<'w> JointRef<'w> {
         if !wheel.enable_steering || h <= 0.0 {
             return 0.0;
         }
-        let mut rows = Rows::default();
-        wheel.emit(&self.geometry(), &mut rows);
-        let mut own = Rows::default();
-        wheel.steering.emit(axis_sides(Vec3::x()), 0.0, true, &mut own);
-        let first = rows.rows.len() - own.rows.len();
+        let rows = self.at().kind.rows(&self.geometry());
+        let mut own = Vec::new();
+        wheel.steering.emit(axis_sides(Vec3::x()), 0.0, true, &mut |row: JointRow| own.push(row));
+        let first = rows.len() - own.len();
         let sum: Float = own
-            .rows
             .iter()
             .enumerate()
             .map(|(k, row)| row.sides[1].angular.x * self.at().impulse[first + k])
@@ -287,12 +285,10 @@ impl JointMut<'_> {
             return Ok(());
         }
         // Rows may come and go: impulses lose their places then.
-        let mut rows = [Rows::default(), Rows::default()];
         let g = self.as_ref().geometry();
-        old.emit(&g, &mut rows[0]);
-        kind.emit(&g, &mut rows[1]);
-        let law = |r: &Rows| {
-            let kinds = r.rows.iter().map(|r| (std::mem::discriminant(&r.law), r.law.is_unbounded()));
+        let rows = [old.rows(&g), kind.rows(&g)];
+        let law = |r: &[JointRow]| {
+            let kinds = r.iter().map(|r| (std::mem::discriminant(&r.law), r.law.is_unbounded()));
             kinds.collect::<Vec<_>>()
         };
         let same = law(&rows[0]) == law(&rows[1]);
@@ -300,7 +296,7 @@ impl JointMut<'_> {
         if !same {
             let (total, angular) = (joint.total, joint.total_angular);
             // What holds the bodies comes first and stays.
-            let kept = rows[0].rows.iter().zip(&rows[1].rows).take_while(|(a, b)| a.law == b.law).count();
+            let kept = rows[0].iter().zip(&rows[1]).take_while(|(a, b)| a.law == b.law).count();
             joint.impulse[kept..].fill(0.0);
             (joint.total, joint.total_angular) = (total, angular);
         }
