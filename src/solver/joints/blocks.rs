@@ -7,15 +7,15 @@
 use super::Placed;
 use super::elimination::{Elimination, by_size};
 use super::row::SolverRow;
-use crate::constraint::joint::Side as Sees;
+use crate::constraint::joint::Side;
 use crate::math::scalar::double;
 use crate::solver::rows::{ExactInertia, Rows};
 
 /// What the rows of each node see of its bodies, and do to them.
 #[derive(Debug, Default)]
 pub struct Blocks {
-    sides: Vec<Side>,
-    /// The sides of the node at each position; one place more at the end.
+    moving: Vec<Moving>,
+    /// Those of the node at each position; one place more at the end.
     first: Vec<usize>,
     /// Of each side six numbers for each row, row by row: what it sees of v and of ω.
     seen: Vec<f64>,
@@ -26,7 +26,7 @@ pub struct Blocks {
 
 /// A body that moves, of a node.
 #[derive(Clone, Copy, Debug)]
-struct Side {
+struct Moving {
     body: u32,
     inv_mass: f64,
     /// Where its numbers begin.
@@ -37,7 +37,7 @@ struct Side {
 impl Blocks {
     /// Bytes held.
     pub fn byte_count(&self) -> usize {
-        self.sides.capacity() * size_of::<Side>()
+        self.moving.capacity() * size_of::<Moving>()
             + (self.first.capacity() + self.seen.capacity() + self.done.capacity()) * 8
     }
 
@@ -50,11 +50,11 @@ impl Blocks {
         solver_rows: &[SolverRow],
         rows: &Rows,
     ) {
-        self.sides.clear();
+        self.moving.clear();
         self.first.clear();
         let (mut seen_end, mut done_end) = (0, 0);
         for (position, &node) in plan.order.iter().enumerate() {
-            self.first.push(self.sides.len());
+            self.first.push(self.moving.len());
             let d = plan.dim(position);
             let own = &hard[plan.start(position)..][..d];
             let Some(&one) = own.first() else { continue };
@@ -64,7 +64,7 @@ impl Blocks {
                     continue;
                 }
                 let inv_mass = double(rows.row[body as usize].inv_mass());
-                self.sides.push(Side { body, inv_mass, seen: seen_end, done: done_end });
+                self.moving.push(Moving { body, inv_mass, seen: seen_end, done: done_end });
                 let seen = take(&mut self.seen, &mut seen_end, 6 * d);
                 let done = take(&mut self.done, &mut done_end, 6 * even(d));
                 let inertia = rows.inertia[body as usize].exact();
@@ -72,7 +72,7 @@ impl Blocks {
                 by_size!(d, d => lay_out_side(own, &inertia, seen, done, d));
             }
         }
-        self.first.push(self.sides.len());
+        self.first.push(self.moving.len());
     }
 
     /// Fills the blocks on the diagonal and below it. What is 0 must be so before.
@@ -89,8 +89,8 @@ impl Blocks {
 
     /// Adds what the nodes `k` and `l`, which has `d` rows, have to do with each other.
     fn add(&self, k: usize, l: usize, d: usize, block: &mut [f64]) {
-        for a in &self.sides[self.first[k]..self.first[k + 1]] {
-            for b in &self.sides[self.first[l]..self.first[l + 1]] {
+        for a in &self.moving[self.first[k]..self.first[k + 1]] {
+            for b in &self.moving[self.first[l]..self.first[l + 1]] {
                 if a.body == b.body {
                     let (seen, done) = (&self.seen[a.seen..], &self.done[b.done..]);
                     by_size!(d, d => add_products(block, seen, done, b.inv_mass, d));
@@ -119,14 +119,14 @@ fn take<'a>(list: &'a mut Vec<f64>, end: &mut usize, count: usize) -> &'a mut [f
 /// Lays out what `d` rows see of a body with this inverse inertia, and do to it.
 #[inline(always)]
 fn lay_out_side<'a>(
-    own: impl Iterator<Item = &'a Sees>,
+    own: impl Iterator<Item = &'a Side>,
     inertia: &ExactInertia,
     seen: &mut [f64],
     done: &mut [f64],
     d: usize,
 ) {
     let done = &mut done[..6 * even(d)];
-    for (r, (Sees { linear, angular }, seen)) in own.zip(seen.chunks_exact_mut(6)).take(d).enumerate() {
+    for (r, (Side { linear, angular }, seen)) in own.zip(seen.chunks_exact_mut(6)).take(d).enumerate() {
         let (linear, angular) = ([0, 1, 2].map(|e| double(linear[e])), [0, 1, 2].map(|e| double(angular[e])));
         let turn = inertia.times(angular);
         for e in 0..3 {

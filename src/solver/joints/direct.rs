@@ -12,27 +12,55 @@ use crate::math::Float;
 use crate::math::scalar::{double, single};
 use crate::solver::rows::Rows;
 
-/// Scratch of the solves, and the last factor.
+/// The last factor of a component.
 #[derive(Debug, Default)]
-pub struct Direct {
-    blocks: Blocks,
-    factor: Vec<f64>,
-    size: Vec<f64>,
-    least: Vec<f64>,
-    unknown: Vec<f64>,
-    wanted: Vec<f64>,
+pub struct Factor {
+    values: Vec<f64>,
     /// What unit impulses of bounded rows make the unbounded ones do.
     responses: Vec<f64>,
     /// What the diagonal of the factored system was raised by.
     damping: f64,
 }
 
+impl Factor {
+    /// Whether it is that of W itself.
+    pub fn is_exact(&self) -> bool {
+        self.damping == 0.0
+    }
+
+    /// Bytes held.
+    pub fn byte_count(&self) -> usize {
+        (self.values.capacity() + self.responses.capacity()) * 8
+    }
+}
+
+/// Scratch of the solves.
+#[derive(Debug, Default)]
+pub struct Direct {
+    blocks: Blocks,
+    size: Vec<f64>,
+    least: Vec<f64>,
+    unknown: Vec<f64>,
+    wanted: Vec<f64>,
+}
+
 impl Direct {
     /// Bytes held.
     pub fn byte_count(&self) -> usize {
-        let lists = [&self.factor, &self.size, &self.least, &self.unknown, &self.wanted, &self.responses];
+        let lists = [&self.size, &self.least, &self.unknown, &self.wanted];
         self.blocks.byte_count() + lists.iter().map(|l| l.capacity() * 8).sum::<usize>()
     }
+}
+
+/// For what system impulses are found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Of {
+    /// That of the rows as they are.
+    Rows,
+    /// The same, which is known to be that of the last call.
+    SameRows,
+    /// That of the last call, be it damped.
+    LastCall,
 }
 
 /// The joints of a component, to be solved.
@@ -48,22 +76,22 @@ pub struct System<'a> {
     pub members: &'a [u32],
     pub rows: &'a mut Rows,
     pub work: &'a mut Direct,
+    pub factor: &'a mut Factor,
 }
 
 /// How often bounded and unbounded rows of a component are solved in turn, at most: until the bounded ones stay.
 const ROUNDS: usize = 4;
 
 impl System<'_> {
-    /// The impulses of a pass; without `factor` the system is that of the last call. Says whether the joints contradicted
-    /// each other.
-    pub fn impulses(&mut self, factor: bool, aim: Aim) -> bool {
-        if factor {
-            self.work.responses.clear();
+    /// The impulses of a pass. Says whether the joints contradicted each other.
+    pub fn impulses(&mut self, of: Of, aim: Aim) -> bool {
+        if of != Of::LastCall {
+            self.factor.responses.clear();
             self.bounded.iter().for_each(|&k| self.solver_rows[k as usize].response = None);
         }
-        self.solve_at_once(factor, aim);
+        self.solve_at_once(of == Of::Rows, aim);
         if self.bounded.is_empty() {
-            return self.work.damping > 0.0;
+            return self.factor.damping > 0.0;
         }
         let energy = energy_within_reach(self.members, self.rows, Aim::Push);
         for _ in 0..ROUNDS {
@@ -85,7 +113,7 @@ impl System<'_> {
                 break;
             }
         }
-        self.work.damping > 0.0
+        self.factor.damping > 0.0
     }
 
     /// Solves a bounded row together with what its impulse makes the unbounded rows of its component do: these stay
@@ -102,8 +130,8 @@ impl System<'_> {
         }
         self.solver_rows[k].lambda += change;
         self.solver_rows[k].apply(change, self.rows);
-        let Self { plan, list, hard, solver_rows, rows, work, .. } = self;
-        let answer = &work.responses[start..start + n];
+        let Self { plan, list, hard, solver_rows, rows, factor, .. } = self;
+        let answer = &factor.responses[start..start + n];
         apply(plan, list, hard, solver_rows, rows, |u| single(answer[u] * double(change)));
         change.abs() > 1e-4 * self.solver_rows[k].lambda.abs()
     }
@@ -117,10 +145,10 @@ impl System<'_> {
         let mut coupling = std::mem::take(&mut self.work.wanted);
         coupling.clear();
         coupling.extend_from_slice(&y);
-        self.plan.solve(&self.work.factor, &mut y);
+        self.plan.solve(&self.factor.values, &mut y);
         let with: f64 = y.iter().zip(&coupling).map(|(a, b)| a * b).sum();
-        let start = self.work.responses.len();
-        self.work.responses.extend_from_slice(&y);
+        let start = self.factor.responses.len();
+        self.factor.responses.extend_from_slice(&y);
         (self.work.unknown, self.work.wanted) = (y, coupling);
         let mobility = self.solver_rows[k].coupling(&self.solver_rows[k], self.rows) - with;
         self.solver_rows[k].set_response(start, mobility);
@@ -139,27 +167,27 @@ impl System<'_> {
             wanted.push(right);
         }
         if factor {
-            self.work.damping = 0.0;
+            self.factor.damping = 0.0;
         }
         let mut anew = factor;
         loop {
             if anew {
-                self.factor();
+                self.factorize();
             }
             self.work.unknown.clear();
             self.work.unknown.extend_from_slice(&wanted);
-            self.plan.solve(&self.work.factor, &mut self.work.unknown);
+            self.plan.solve(&self.factor.values, &mut self.work.unknown);
             // Joints that contradict each other make a system next to singular, whose answer would tear them apart:
             // what hard rows do to velocities takes no more energy than there is.
             let work: f64 = wanted.iter().zip(&self.work.unknown).map(|(a, b)| a * b).sum();
             if work <= energy {
                 break;
             }
-            if self.work.damping >= 1.0 {
+            if self.factor.damping >= 1.0 {
                 self.work.unknown.iter_mut().for_each(|x| *x *= energy / work);
                 break;
             }
-            self.work.damping = if self.work.damping == 0.0 { 1e-4 } else { self.work.damping * 100.0 };
+            self.factor.damping = if self.factor.damping == 0.0 { 1e-4 } else { self.factor.damping * 100.0 };
             anew = true;
         }
         self.work.wanted = wanted;
@@ -168,8 +196,9 @@ impl System<'_> {
     }
 
     /// Factors the system: W, its diagonal, and the least part of that by one body.
-    fn factor(&mut self) {
-        let Direct { blocks, factor, size, least, damping, .. } = &mut *self.work;
+    fn factorize(&mut self) {
+        let Direct { blocks, size, least, .. } = &mut *self.work;
+        let Factor { values: factor, damping, .. } = &mut *self.factor;
         factor.clear();
         factor.resize(self.plan.values(), 0.0);
         blocks.lay_out(self.plan, self.list, self.hard, self.solver_rows, self.rows);

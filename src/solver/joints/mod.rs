@@ -10,6 +10,8 @@
 //!
 //! Joints that hang together have their unbounded rows (hard rows and springs without a bound) solved at once, see
 //! [`direct`]; rows with bounds (limits, motors, friction) come after them, in turn with what they make the others do.
+//! Between the relax pass and the first pass of the next sub-step no body moves: without springs, and unless a body comes
+//! to bear another load, the factor of the one is that of the other.
 //! Where a plan would cost too much (a cloth of joints), each joint's own rows are a block and blocks are solved one
 //! after another, softly; plain ball joints then go in lanes, see [`mesh`].
 //!
@@ -35,7 +37,7 @@ use crate::solver::rows::{Rows, inertia_times};
 use crate::solver::{Settings, SubStep, soft};
 use ball::BallSeed;
 pub use direct::Aim;
-use direct::Direct;
+use direct::{Direct, Factor, Of};
 use groups::Groups;
 use mesh::{Balls, BeginRelax, End, Forget, LookAhead, Solve, WarmStart};
 use row::{PUSH_SPEED, Pair, Pass, SolverRow};
@@ -85,8 +87,14 @@ struct Component {
     bounded: Range<usize>,
     /// Whether its joints contradicted each other in this sub-step.
     damped: bool,
-    /// Whose scratch it uses: one that has contacts keeps its factor for the next round, in one of its own; 0 for others.
-    scratch: usize,
+    /// Whether bodies of it have contacts.
+    touched: bool,
+    /// Whether its unbounded rows do not give: then W is the same in all passes over rows at the same places.
+    rigid: bool,
+    /// Which of the factors it uses: one of its own in its batch if it is used again in a later pass, else 0.
+    factor: usize,
+    /// Whether that is of its rows as they are, though maybe damped.
+    factored: bool,
 }
 
 /// The joints of the step; nothing in it but how groups are solved outlives a step.
@@ -113,8 +121,9 @@ pub struct Workspace {
     before: Vec<[Vec3; 2]>,
     /// |force| · |arm| over a body's joints, by solver row: sum and greatest.
     load: Vec<[Float; 2]>,
+    direct: Direct,
     /// The first for all that need theirs for one pass only.
-    direct: Vec<Direct>,
+    factors: Vec<Factor>,
     seeds: Vec<BallSeed>,
     /// How many joints the last step had.
     pub joint_count: usize,
@@ -137,7 +146,8 @@ impl Workspace {
             + self.rows.capacity() * size_of::<SolverRow>()
             + self.balls.byte_count()
             + self.ahead.capacity() * size_of::<[Quad; 2]>()
-            + self.direct.iter().map(Direct::byte_count).sum::<usize>()
+            + self.direct.byte_count()
+            + self.factors.iter().map(Factor::byte_count).sum::<usize>()
     }
 
     /// Finds the awake joints and the batches they belong to. Bodies are laid out.
@@ -191,20 +201,21 @@ impl Workspace {
     /// After the last batch and its contacts.
     pub fn end(&mut self, bodies: &Bodies) {
         self.joint_count = self.joints.len() + self.balls.joint_count();
-        let mut scratches = 1;
+        let mut factors = 1;
         for batch in &self.batches {
             let mut next = 1;
-            for component in &mut self.components[batch.clone()] {
+            for component in self.components[batch.clone()].iter_mut().filter(|c| c.planned) {
                 let mut members = self.members[component.members.clone()].iter();
-                if component.planned && members.any(|&m| bodies.rows.aux[m as usize].touched) {
-                    component.scratch = next;
+                component.touched = members.any(|&m| bodies.rows.aux[m as usize].touched);
+                if component.touched || component.rigid {
+                    component.factor = next;
                     next += 1;
                 }
             }
-            scratches = scratches.max(next);
+            factors = factors.max(next);
         }
-        if self.direct.len() < scratches {
-            self.direct.resize_with(scratches, Direct::default);
+        if self.factors.len() < factors {
+            self.factors.resize_with(factors, Factor::default);
         }
         self.ahead.clear();
         self.load.clear();
@@ -282,6 +293,7 @@ impl Workspace {
             self.joints[place].rows = first..self.rows.len();
         }
         let (hard, bounded) = self.sort_rows(group, start);
+        let rigid = planned && self.solved[hard.clone()].iter().all(|&k| self.rows[k as usize].is_hard());
         let first_color = self.balls.color_count();
         for color in 0..self.groups.list[group].balls.len() {
             self.seeds.clear();
@@ -325,7 +337,10 @@ impl Workspace {
             hard,
             bounded,
             damped: false,
-            scratch: 0,
+            touched: false,
+            rigid,
+            factor: 0,
+            factored: false,
         });
     }
 
@@ -398,6 +413,7 @@ impl Workspace {
             for placed in &self.joints[joints] {
                 self.rows[placed.rows.clone()].iter_mut().for_each(|row| row.weigh(&bodies.rows));
             }
+            self.components[component].factored = false;
         }
         changed
     }
@@ -432,7 +448,10 @@ impl Workspace {
                 for row in &mut self.rows[rows_of(&self.joints[places.clone()])] {
                     row.want(Pass::Guess, &bodies.rows, sub, &self.lead, lag);
                 }
-                self.impulses(c, &mut bodies.rows, true, Aim::Push);
+                let Component { factored, factor, .. } = self.components[c];
+                let known = factored && self.factors[factor].is_exact();
+                let of = if known { Of::SameRows } else { Of::Rows };
+                self.impulses(c, &mut bodies.rows, of, Aim::Push);
             }
             // A load that comes at once, such as the first one, is borne at once.
             let heavier = planned && self.bear_loads(c, bodies, sub.h, 4.0);
@@ -455,7 +474,8 @@ impl Workspace {
                 &mut bodies.rows,
                 LookAhead { ahead: &self.ahead, rate: soft[0], sub },
             );
-            self.impulses(c, &mut bodies.rows, heavier || !planned, Aim::Bend);
+            let of = if heavier { Of::Rows } else { Of::LastCall };
+            self.impulses(c, &mut bodies.rows, of, Aim::Bend);
             self.balls.each(colors, &mut bodies.rows, Solve { share: soft[1], leak: soft[2] });
             self.note_momenta(c, &mut bodies.rows);
         }
@@ -464,9 +484,9 @@ impl Workspace {
     /// Once more what the last pass was after, where contacts have changed velocities since then.
     pub fn again(&mut self, batch: usize, rows: &mut Rows, aim: Aim) {
         for c in self.batches[batch].clone() {
-            if self.components[c].scratch != 0 {
+            if self.components[c].touched {
                 self.note_velocities(c, rows);
-                self.impulses(c, rows, false, aim);
+                self.impulses(c, rows, Of::LastCall, aim);
                 self.note_momenta(c, rows);
             }
         }
@@ -481,7 +501,8 @@ impl Workspace {
                 self.begin_relax(place, bodies, joints, sub);
             }
             self.balls.each(colors.clone(), &mut bodies.rows, BeginRelax);
-            self.impulses(c, &mut bodies.rows, true, Aim::Rest);
+            self.impulses(c, &mut bodies.rows, Of::Rows, Aim::Rest);
+            self.components[c].factored = self.components[c].rigid;
             self.balls.each(colors.clone(), &mut bodies.rows, Solve { share: 1.0, leak: 0.0 });
             self.balls.each(colors, &mut bodies.rows, End);
             for placed in &mut self.joints[places] {
@@ -571,9 +592,9 @@ impl Workspace {
         }
     }
 
-    /// The impulses of a pass over a component, ball joints aside; without `factor` its system is that of the last call.
-    fn impulses(&mut self, component: usize, rows: &mut Rows, factor: bool, aim: Aim) {
-        let Component { joints, group, members, hard, bounded, scratch, .. } =
+    /// The impulses of a pass over a component, ball joints aside.
+    fn impulses(&mut self, component: usize, rows: &mut Rows, of: Of, aim: Aim) {
+        let Component { joints, group, members, hard, bounded, factor, .. } =
             self.components[component].clone();
         let list = &self.joints[joints];
         if let Some(plan) = &self.groups.list[group].plan {
@@ -585,9 +606,10 @@ impl Workspace {
                 bounded: &self.solved[bounded],
                 members: &self.members[members],
                 rows,
-                work: &mut self.direct[scratch],
+                work: &mut self.direct,
+                factor: &mut self.factors[factor],
             };
-            self.components[component].damped |= system.impulses(factor, aim);
+            self.components[component].damped |= system.impulses(of, aim);
             return;
         }
         for placed in list {

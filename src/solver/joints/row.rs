@@ -135,7 +135,7 @@ impl SolverRow {
             let inertia = &rows.inertia[self.bodies[k] as usize];
             self.turn[k] = inertia.times(self.sides[k].angular);
         }
-        if self.law != Law::Equal {
+        if !self.is_hard() {
             let k = single(self.coupling(self, rows));
             self.mass = if k > 0.0 { 1.0 / k } else { 0.0 };
         }
@@ -151,6 +151,11 @@ impl SolverRow {
     /// One of its sides.
     pub fn side(&self, side: usize) -> &Side {
         &self.sides[side]
+    }
+
+    /// Whether it is a hard row: it does not give.
+    pub fn is_hard(&self) -> bool {
+        self.law == Law::Equal
     }
 
     /// How many bodies it has, the immovable one counted: two or four.
