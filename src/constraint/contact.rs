@@ -40,12 +40,13 @@ pub struct ContactPoint {
 }
 
 /// A contact between shapes A and B, A's index being the lower one.
+///
+/// In f32 the first 64 bytes are what most walks over contacts look at, the next what the solver asks for besides.
 #[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
 pub struct Contact {
     /// Indices of the colliders.
     pub shape: [u32; 2],
-    /// Parts of the shapes (triangles, children); 0 for convex shapes.
-    pub child: [u32; 2],
     /// Stable indices of the bodies.
     pub body: [u32; 2],
     /// Where the contact stands in each body's list.
@@ -62,8 +63,6 @@ pub struct Contact {
     pub cache: Cache,
     /// Unit normal from A to B, world axes.
     pub normal: Vec3,
-    /// The points, the first `count` of them.
-    pub points: [ContactPoint; MAX_MANIFOLD_POINTS],
     /// Sliding friction coefficient of the pair.
     pub friction: Float,
     /// Static friction coefficient of the pair.
@@ -84,6 +83,8 @@ pub struct Contact {
     pub rolling_impulse: Vec3,
     /// Sum of the friction impulses on B over the last step, world axes \[N s\].
     pub total_friction: Vec3,
+    /// The points, the first `count` of them.
+    pub points: [ContactPoint; MAX_MANIFOLD_POINTS],
 }
 
 impl Contact {
@@ -92,7 +93,6 @@ impl Contact {
     pub fn new(shape: [u32; 2], body: [u32; 2]) -> Self {
         Self {
             shape,
-            child: [0; 2],
             body,
             place: [NONE; 2],
             awake_place: NONE,
@@ -206,6 +206,22 @@ impl ContactStore {
                 self.contacts[moved as usize].awake_place = place;
             }
             self.contacts[index].awake_place = NONE;
+        }
+    }
+
+    /// Asks for the memory of a contact, if there is one.
+    #[inline(always)]
+    pub fn prefetch_at(&self, index: Option<u32>) {
+        if let Some(index) = index {
+            crate::simd::prefetch(&self.contacts[index as usize]);
+        }
+    }
+
+    /// Asks for the memory of the first part of a contact, if there is one.
+    #[inline(always)]
+    pub fn prefetch_head(&self, index: Option<u32>) {
+        if let Some(index) = index {
+            crate::simd::prefetch(&self.contacts[index as usize].shape);
         }
     }
 

@@ -1,4 +1,4 @@
-//! Constraints that persist from step to step. A contact is keyed by (shape, child) on both sides.
+//! Constraints that persist from step to step. A contact is keyed by its two shapes.
 
 pub mod contact;
 pub mod joint;

@@ -16,6 +16,9 @@ use crate::shape::{Polytope, Wide, narrow, wide};
 /// Above this many pairs of edges GJK is faster than trying them all.
 const MOST_EDGE_PAIRS: usize = 1500;
 
+/// The most edges of a solid in such a pair: every other has at least 6.
+pub(super) const MOST_EDGES: usize = MOST_EDGE_PAIRS / 6;
+
 /// The number of a point that no pair of features made.
 pub(super) const FREE: u32 = feature::sliver(0x7fff, 0x7fff);
 
@@ -53,15 +56,21 @@ fn by_sat<P: Polytope, Q: Polytope>(
 ) {
     let frame = Frame::new(pose);
     let back = frame.inverse();
-    if cached_gap(p, q, &frame, &back, cache.axis).is_some_and(|gap| gap > margin) {
+    let remembered = cached_gap(p, q, &frame, &back, cache.axis).unwrap_or(-Float::MAX);
+    if remembered > margin {
         return;
     }
-    let (gap_a, face_a) = best_face(p, q, &frame, margin);
+    let [known_a, known_b] = match cache.axis {
+        CachedAxis::FaceA(_) => [remembered, -Float::MAX],
+        CachedAxis::FaceB(_) => [-Float::MAX, remembered],
+        _ => [-Float::MAX; 2],
+    };
+    let (gap_a, face_a) = best_face(p, q, &frame, margin, known_a);
     cache.axis = CachedAxis::FaceA(face_a as u16);
     if gap_a > margin {
         return;
     }
-    let (gap_b, face_b) = best_face(q, p, &back, margin);
+    let (gap_b, face_b) = best_face(q, p, &back, margin, known_b);
     if gap_b > margin {
         cache.axis = CachedAxis::FaceB(face_b as u16);
         return;
@@ -70,8 +79,9 @@ fn by_sat<P: Polytope, Q: Polytope>(
         preferences(p.inner_radius(), q.inner_radius(), gap_a.max(gap_b));
     let b_is_reference = gap_b > gap_a + face_preference;
     let face_gap = if b_is_reference { gap_b } else { gap_a };
-    if let Some(edges) = best_edges(p, q, &frame, &back, margin)
-        && edges.gap > face_gap + edge_preference
+    let must_beat = face_gap + edge_preference;
+    if let Some(edges) = best_edges(p, q, &frame, &back, margin, must_beat.min(margin))
+        && edges.gap > must_beat
     {
         // Between the slivers of a bent plate, rounding can make two edges seem to face each other that do not.
         let whole = gap_of_all(p, q, &frame, edges.normal);
@@ -174,8 +184,8 @@ fn better_face<P: Polytope, Q: Polytope>(
     d: &Depth,
 ) -> (Wide, f64, Wide, Wide) {
     let frame = Frame::new(pose);
-    let (_, face_a) = best_face(p, q, &frame, Float::MAX);
-    let (_, face_b) = best_face(q, p, &frame.inverse(), Float::MAX);
+    let (_, face_a) = best_face(p, q, &frame, Float::MAX, -Float::MAX);
+    let (_, face_b) = best_face(q, p, &frame.inverse(), Float::MAX, -Float::MAX);
     let mut best = (d.normal, -d.depth);
     for n in [wide(p.plane(face_a).0), wide(-frame.vector(q.plane(face_b).0))] {
         let gap = pair.gap_along(n);

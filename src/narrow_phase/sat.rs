@@ -4,18 +4,34 @@
 
 use super::frame::Frame;
 use crate::math::tolerance::PARALLEL_SINE;
-use crate::math::{Float, Vec3, length_squared};
-use crate::shape::Polytope;
+use crate::math::{Float, Vec3, length, length_squared};
+use crate::shape::{EdgeRay, Polytope};
 
-/// The face of `p` in front of which the whole of `q` lies farthest, and how far that is.
+/// The share of a pair's size that is surely more than the rounding of a gap.
+const ROUNDING: Float = 1e-4;
+
+/// The angle \[rad\] by which rounding may at most turn an axis out of the arcs of its edges, where they are clear
+/// (see [`EdgeRay::cosine`]) and not parallel.
+const ASTRAY: Float = 1e-2;
+
+/// The face of `p` in front of which the whole of `q` lies farthest, and how far that is. `known` is the gap of one of
+/// the faces.
 pub(super) fn best_face<P: Polytope, Q: Polytope>(
     p: &P,
     q: &Q,
     p_from_q: &Frame,
     margin: Float,
+    known: Float,
 ) -> (Float, usize) {
+    // The whole of q comes at least as near as a ball within it: most faces need not be measured.
+    let middle = p_from_q.point(q.center());
+    let least = q.inner_radius() - ROUNDING * size(p, q, middle);
     let mut best = (-Float::MAX, 0);
     for i in 0..p.face_count() {
+        let (n, d) = p.plane(i);
+        if n.dot(&middle) - d - least < known.max(best.0) {
+            continue;
+        }
         let s = face_gap(p, q, p_from_q, i);
         if s > best.0 {
             best = (s, i);
@@ -25,6 +41,11 @@ pub(super) fn best_face<P: Polytope, Q: Polytope>(
         }
     }
     best
+}
+
+/// A bound of all lengths that enter a gap; `middle` is the centre of `q` in the frame of `p`.
+fn size<P: Polytope, Q: Polytope>(p: &P, q: &Q, middle: Vec3) -> Float {
+    length(middle) + length(p.center()) + length(q.center()) + p.reach() + q.reach()
 }
 
 /// The gap between face `i` of `p` and all of `q`.
@@ -45,31 +66,98 @@ pub(super) struct EdgeAxis {
     pub normal: Vec3,
 }
 
-/// The edge pair with the greatest gap. `frame` is that of `p` from `q`, `back` the other way.
+/// The edge pair with the greatest gap, or the first whose gap exceeds `margin`. Pairs whose gap is at most `worth`
+/// may be passed over. `frame` is that of `p` from `q`, `back` the other way.
 pub(super) fn best_edges<P: Polytope, Q: Polytope>(
     p: &P,
     q: &Q,
     frame: &Frame,
     back: &Frame,
     margin: Float,
+    worth: Float,
 ) -> Option<EdgeAxis> {
     // The inner loop should read tables.
     if P::IMPLICIT && !Q::IMPLICIT {
-        let found = scan_edges(q, p, back, margin)?;
+        let found = scan_edges(q, p, back, frame, margin, worth)?;
         let EdgeAxis { gap, a, b, normal } = found;
         return Some(EdgeAxis { gap, a: b, b: a, normal: -frame.vector(normal) });
     }
-    scan_edges(p, q, frame, margin)
+    scan_edges(p, q, frame, back, margin, worth)
 }
 
-fn scan_edges<P: Polytope, Q: Polytope>(p: &P, q: &Q, frame: &Frame, margin: Float) -> Option<EdgeAxis> {
+/// Tells which edges of one solid give no gap worth looking at, whatever edge of the other they are paired with.
+///
+/// The axis of a pair lies on the arc between the normals of either edge. Along it the other solid comes nearer than
+/// the middle of a ball within it by the ball's radius, so the gap is at most the height of that middle over the edge,
+/// less the radius. The height is at most that over the nearer of the two faces, over the cosine of half the arc.
+struct Blind {
+    middle: Vec3,
+    /// The least height that is worth looking at.
+    least: Float,
+}
+
+impl Blind {
+    #[inline(always)]
+    fn skips(&self, edge: &EdgeRay) -> bool {
+        let up = self.middle - edge.start;
+        edge.normals[0].dot(&up).max(edge.normals[1].dot(&up)).max(0.0) < edge.cosine * self.least
+    }
+}
+
+/// Numbers of edges, in order.
+struct List {
+    numbers: [u16; super::polytopes::MOST_EDGES],
+    len: usize,
+}
+
+impl List {
+    fn of(count: usize, keep: impl Fn(usize) -> bool) -> Self {
+        let mut list = Self { numbers: [0; super::polytopes::MOST_EDGES], len: 0 };
+        for i in (0..count).filter(|&i| keep(i)) {
+            list.numbers[list.len] = i as u16;
+            list.len += 1;
+        }
+        list
+    }
+
+    fn iter(&self) -> impl Iterator<Item = usize> {
+        self.numbers[..self.len].iter().map(|&i| i as usize)
+    }
+}
+
+fn scan_edges<P: Polytope, Q: Polytope>(
+    p: &P,
+    q: &Q,
+    frame: &Frame,
+    back: &Frame,
+    margin: Float,
+    worth: Float,
+) -> Option<EdgeAxis> {
+    let middle = frame.point(q.center());
+    // Of a plate so thin that the side of an axis may be rounding, all edges are looked at.
+    let is_thin = p.inner_radius() <= 2.0 * ASTRAY * p.reach();
+    let slack = if is_thin { Float::MAX } else { ASTRAY * size(p, q, middle) };
+    let of_p = Blind { middle, least: worth + q.inner_radius() - slack };
+    let of_q = Blind { middle: back.point(p.center()), least: worth + p.inner_radius() - slack };
+    let kept = List::of(p.edge_count(), |i| !of_p.skips(&p.edge_ray(i)));
+    let all_clear = kept.iter().all(|i| p.edge_ray(i).cosine > 0.0);
     let mut best: Option<EdgeAxis> = None;
     for j in 0..q.edge_count() {
         let e = q.edge_ray(j);
+        // What is known of an edge holds for its pairs with clear ones.
+        let (is_clear, is_blind) = (e.cosine > 0.0, of_q.skips(&e));
+        if is_blind && all_clear {
+            continue;
+        }
         let (on_b, along_b) = (frame.point(e.start), frame.vector(e.along));
         let [n0, n1] = e.normals.map(|n| frame.vector(n));
-        for i in 0..p.edge_count() {
+        let count = if is_clear { kept.len } else { p.edge_count() };
+        for k in 0..count {
+            let i = if is_clear { kept.numbers[k] as usize } else { k };
             let f = p.edge_ray(i);
+            if is_blind && f.cosine > 0.0 {
+                continue;
+            }
             // The arcs between the normals of either edge, B's turned round, cross on the sphere: only then do the
             // edges face each other.
             let (a, b) = (f.normals[0].dot(&along_b), f.normals[1].dot(&along_b));

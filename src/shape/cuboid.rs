@@ -224,6 +224,11 @@ impl Polytope for Cuboid {
     }
 
     #[inline(always)]
+    fn reach(&self) -> Float {
+        length(self.half)
+    }
+
+    #[inline(always)]
     fn core_points(&self) -> CorePoints<'_> {
         CorePoints::Box(self.half)
     }

@@ -36,7 +36,7 @@ pub use half_space::HalfSpace;
 pub use hull::{Hull, HullFace, MAX_HULL_VERTICES};
 pub use mass::MassData;
 pub use polytope::Edge;
-pub(crate) use polytope::Polytope;
+pub(crate) use polytope::{EdgeRay, Polytope};
 pub use ray::RayHit;
 pub(crate) use ray::{Wide, narrow, wide};
 pub use sphere::Sphere;

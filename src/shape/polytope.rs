@@ -1,7 +1,7 @@
 //! What the narrow phase asks of a solid with flat faces, be it a box with implicit tables or a hull.
 
 use super::CorePoints;
-use crate::math::{Float, Vec3};
+use crate::math::{Float, Vec3, length, length_squared};
 
 /// An edge between two faces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,6 +19,26 @@ pub(crate) struct EdgeRay {
     pub along: Vec3,
     /// The normals of the faces beside it, as in [`Edge::f`].
     pub normals: [Vec3; 2],
+    /// The cosine of half the angle between them; 0 where rounding may turn an axis far out of the arc between them:
+    /// the normals are too close to each other, or not at right angles to the edge.
+    pub cosine: Float,
+}
+
+/// The least sine between the normals of an edge whose [`EdgeRay::cosine`] says something.
+const LEAST_ARC: Float = 0.02;
+
+/// The greatest cosine between such an edge and its normals.
+const LEAST_SQUARE: Float = 4e-6;
+
+impl EdgeRay {
+    pub fn new(start: Vec3, along: Vec3, normals: [Vec3; 2]) -> Self {
+        let across = length_squared(normals[0].cross(&normals[1]));
+        let lean = normals.map(|n| n.dot(&along).abs());
+        let is_clear =
+            across >= LEAST_ARC * LEAST_ARC && lean[0].max(lean[1]) <= LEAST_SQUARE * length(along);
+        let cosine = if is_clear { 0.5 * length(normals[0] + normals[1]) } else { 0.0 };
+        Self { start, along, normals, cosine }
+    }
 }
 
 /// A convex solid with flat faces, in its own frame.
@@ -38,7 +58,7 @@ pub(crate) trait Polytope {
         let Edge { v, f } = self.edge(i);
         let start = self.vertex(v[0] as usize);
         let along = self.vertex(v[1] as usize) - start;
-        EdgeRay { start, along, normals: f.map(|f| self.plane(f as usize).0) }
+        EdgeRay::new(start, along, f.map(|f| self.plane(f as usize).0))
     }
     /// Whether vertices and faces are computed on demand rather than read from tables.
     const IMPLICIT: bool;
@@ -50,6 +70,8 @@ pub(crate) trait Polytope {
     fn center(&self) -> Vec3;
     /// The least distance from the centre to a face.
     fn inner_radius(&self) -> Float;
+    /// The greatest distance from the centre to a vertex.
+    fn reach(&self) -> Float;
     /// The vertices as GJK wants them.
     fn core_points(&self) -> CorePoints<'_>;
 }

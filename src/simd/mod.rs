@@ -13,6 +13,19 @@ pub use four::Four;
 use crate::math::Float;
 use std::ops::{Add, Mul, Neg, Sub};
 
+/// Asks for the memory of `x`, which will be needed soon. Changes nothing but when it arrives.
+#[inline(always)]
+pub fn prefetch<T>(x: &T) {
+    #[cfg(target_arch = "x86_64")]
+    for line in 0..size_of::<T>().div_ceil(64) {
+        use core::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        // SAFETY: SSE, which every x86-64 target has; a prefetch never faults, and the address lies in `x`.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>((&raw const *x).cast::<i8>().add(64 * line)) }
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = x;
+}
+
 /// A row of four scalars in memory: what bodies are gathered and scattered by.
 pub type Quad = [Float; 4];
 

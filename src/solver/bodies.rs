@@ -9,6 +9,9 @@ use crate::island::IslandStore;
 use crate::math::{Float, Quat, Vec3, length};
 use std::ops::Range;
 
+/// How many contacts ahead a walk over their heads asks for memory.
+pub(super) const HEADS_AHEAD: usize = 16;
+
 /// A batch takes islands until its rows fill about half of a core's second-level cache \[bytes\].
 const BATCH_BYTES: usize = 512 << 10;
 
@@ -46,6 +49,20 @@ pub struct AwakeIsland {
     pub rows: Range<usize>,
 }
 
+/// Where a body is in this step, and what laying constraints out asks of it besides.
+#[derive(Clone, Copy, Debug)]
+pub struct Seat {
+    /// Its island, or [`NONE`].
+    pub island: u32,
+    /// Its solver row, if it has an island.
+    pub row: u32,
+}
+
+impl Seat {
+    /// Of a body without an awake island.
+    const NONE: Seat = Seat { island: NONE, row: 0 };
+}
+
 /// The bodies of the awake islands. All that is kept between steps is memory.
 #[derive(Debug, Default)]
 pub struct Bodies {
@@ -57,6 +74,10 @@ pub struct Bodies {
     pub islands: Vec<AwakeIsland>,
     /// How many constraints they have.
     pub constraints: usize,
+    /// By stable index of the body.
+    seats: Vec<Seat>,
+    /// Who has a seat.
+    seated: Vec<u32>,
     pub(super) isolated: Vec<Range<usize>>,
     /// Solver row by awake row.
     row_of: Vec<u32>,
@@ -79,17 +100,29 @@ impl Bodies {
         self.islands.clear();
         self.place_of.clear();
         self.place_of.resize(islands.islands.len(), NONE);
+        for body in self.seated.drain(..) {
+            if let Some(seat) = self.seats.get_mut(body as usize) {
+                *seat = Seat::NONE;
+            }
+        }
+        self.seats.resize(bodies.bodies.len(), Seat::NONE);
         for &index in &bodies.awake().index {
             let island = bodies.bodies[index as usize].island;
+            self.seats[index as usize].island = island;
+            self.seated.push(index);
             if island != NONE && self.place_of[island as usize] == NONE {
                 self.place_of[island as usize] = self.islands.len() as u32;
                 self.islands.push(AwakeIsland { id: island, constraints: 0, mixed: false, rows: 0..0 });
             }
         }
         self.constraints = 0;
-        for &c in &contacts.awake {
+        for (k, &c) in contacts.awake.iter().enumerate() {
+            contacts.prefetch_head(contacts.awake.get(k + HEADS_AHEAD).copied());
             let contact = &contacts.contacts[c as usize];
-            if let Some(island) = island_of(bodies, contact.body).filter(|_| contact.is(flags::CONSTRAINT)) {
+            if !contact.is(flags::CONSTRAINT) {
+                continue;
+            }
+            if let Some(island) = self.island_of(contact.body) {
                 self.islands[self.place_of[island as usize] as usize].constraints += 1;
                 self.constraints += 1;
             }
@@ -158,6 +191,7 @@ impl Bodies {
             for &body in &island.bodies {
                 let row = bodies.bodies[body as usize].row as usize;
                 self.row_of[row] = self.rows.row.len() as u32;
+                self.seats[body as usize].row = self.rows.row.len() as u32;
                 self.rows.push_body(awake, row, settings, h);
             }
             let end = self.rows.row.len();
@@ -170,6 +204,18 @@ impl Bodies {
                 batch.isolated.end = self.isolated.len();
             }
         }
+    }
+
+    /// The seats of a pair of bodies.
+    #[inline(always)]
+    pub fn seats_of(&self, pair: [u32; 2]) -> [Seat; 2] {
+        pair.map(|body| self.seats[body as usize])
+    }
+
+    /// The awake island that a pair of bodies belongs to: that of either one that moves.
+    #[inline(always)]
+    pub fn island_of(&self, pair: [u32; 2]) -> Option<u32> {
+        self.seats_of(pair).into_iter().map(|seat| seat.island).find(|&island| island != NONE)
     }
 
     /// The batch of an awake island, by its index in the store.
@@ -217,12 +263,8 @@ impl Bodies {
         self.rows.row.capacity() * size_of::<Row>()
             + self.rows.inertia.capacity() * size_of::<InertiaRow>()
             + self.rows.aux.capacity() * size_of::<Aux>()
+            + self.seats.capacity() * size_of::<Seat>()
     }
-}
-
-/// The island that a pair of bodies belongs to: that of either one that moves.
-pub fn island_of(bodies: &BodyStore, pair: [u32; 2]) -> Option<u32> {
-    pair.iter().map(|&b| &bodies.bodies[b as usize]).find(|b| b.island != NONE).map(|b| b.island)
 }
 
 /// The centre of mass of a body \[m\].

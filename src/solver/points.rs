@@ -16,7 +16,7 @@
 //!
 //! Legend: n t axes, r arm, σ relative velocity less target, λ impulse, μ friction, k inverse effective mass, h sub-step.
 
-use super::bodies::{Bodies, center, island_of};
+use super::bodies::{Bodies, center};
 use super::contact_problem::{V, natural_error, worse};
 use super::rows::Rows;
 use super::{Settings, SubStep, joints};
@@ -119,14 +119,14 @@ impl Points {
         self.keys.clear();
         for &c in &contacts.awake {
             let contact = &contacts.contacts[c as usize];
-            if let Some(island) = island_of(bodies, contact.body).filter(|_| contact.is(flags::CONSTRAINT)) {
+            if let Some(island) = rows.island_of(contact.body).filter(|_| contact.is(flags::CONSTRAINT)) {
                 self.keys.push((rows.place_of(island), c));
             }
         }
         // Slots of contacts depend on what else is in the world, shapes' order does not.
         self.keys.sort_unstable_by_key(|&(place, c)| {
             let contact = &contacts.contacts[c as usize];
-            (place, contact.shape, contact.child)
+            (place, contact.shape)
         });
         self.points.clear();
         self.of_island.clear();

@@ -1,12 +1,15 @@
 //! Stages 2 to 4 of a step: boxes, pairs, contacts.
 
 use super::collider::clamped;
+use super::side::{Side, Sides};
 use super::{BodyType, Collider, World};
-use crate::body::{NONE, SetId};
+use crate::body::NONE;
 use crate::constraint::{Contact, ContactPoint, contact::flags};
 use crate::math::tolerance::{CONTACT_MARGIN, FAT_MARGIN, PASSING_GAP, SAME_PLACE};
 use crate::math::{Aabb, Float, Pose, Vec3, length, length_squared, rotate, rotate_back};
 use crate::narrow_phase::{self, Cache, Manifold};
+use crate::shape::Shape;
+use crate::simd;
 
 /// Lists that a step fills and empties.
 #[derive(Clone, Debug, Default)]
@@ -19,24 +22,12 @@ pub(crate) struct Scratch {
     pub slow_time: Vec<Float>,
     pub fell_asleep: Vec<u32>,
     pub broken: Vec<u32>,
+    pub(super) sides: Sides,
 }
 
-/// What the narrow phase needs to know of one side of a contact.
-struct Side<'a> {
-    collider: &'a Collider,
-    /// World from body rotation, and the shape's origin from the centre of mass, world axes.
-    q: crate::math::Quat,
-    arm: Vec3,
-    x: Vec3,
-    v: Vec3,
-    w: Vec3,
-    /// Bound of the way it can go in this step \[m\], relative motion aside.
-    spin_way: Float,
-    /// What gravity adds to the way in this step \[m\].
-    fall: Float,
-    asleep: bool,
-    moving: bool,
-}
+/// How many contacts ahead a walk over them asks for their memory, and for that of their sides.
+pub(super) const CONTACTS_AHEAD: usize = 12;
+const SIDES_AHEAD: usize = 6;
 
 impl World {
     /// The box of a new collider; those of moving bodies get a margin.
@@ -156,21 +147,37 @@ impl World {
         scratch.started.clear();
         scratch.stopped.clear();
         scratch.gone.clear();
+        scratch.sides.begin_step(self.colliders.len());
+        // A callback may look at any contact: then each one is worked on in a copy.
+        let in_place = !self.callbacks.see_contacts();
+        let mut taken = if in_place { std::mem::take(&mut self.contacts.contacts) } else { Vec::new() };
         for k in 0..self.contacts.awake.len() {
             let index = self.contacts.awake[k];
-            let mut contact = self.contacts.contacts[index as usize];
-            let [a, b] = contact.shape;
-            if !self.colliders[a as usize].fat.overlaps(&self.colliders[b as usize].fat) {
+            let mut copy;
+            let contact = if in_place {
+                self.prefetch_contacts(&taken, &scratch.sides, k);
+                &mut taken[index as usize]
+            } else {
+                copy = self.contacts.contacts[index as usize];
+                &mut copy
+            };
+            let [a, b] = scratch.sides.of(self, contact.shape, dt);
+            if !a.fat.overlaps(&b.fat) {
                 scratch.gone.push(index);
                 continue;
             }
             let was = contact.is(flags::CONSTRAINT);
-            self.update_contact(&mut contact, dt);
+            self.update_contact(contact, a, b, dt);
             let is = contact.count > 0;
             if is != was {
                 if is { scratch.started.push(index) } else { scratch.stopped.push(index) }
             }
-            self.contacts.contacts[index as usize] = contact;
+            if !in_place {
+                self.contacts.contacts[index as usize] = *contact;
+            }
+        }
+        if in_place {
+            self.contacts.contacts = taken;
         }
         // By shapes, not by slots: slots depend on what else is in the world.
         let shapes = |c: &u32| self.contacts.contacts[*c as usize].shape;
@@ -181,6 +188,20 @@ impl World {
             self.destroy_contact(index as usize, false);
         }
         self.scratch = scratch;
+    }
+
+    /// Asks for what the walk over the awake contacts, now at `k`, will need soon.
+    #[inline(always)]
+    fn prefetch_contacts(&self, contacts: &[Contact], sides: &Sides, k: usize) {
+        if let Some(&index) = self.contacts.awake.get(k + CONTACTS_AHEAD) {
+            simd::prefetch(&contacts[index as usize]);
+        }
+        if let Some(&index) = self.contacts.awake.get(k + SIDES_AHEAD) {
+            for shape in contacts[index as usize].shape {
+                sides.prefetch(shape);
+                simd::prefetch(&self.colliders[shape as usize]);
+            }
+        }
     }
 
     /// Stage 5: constraints that came and went change islands and colours.
@@ -195,47 +216,15 @@ impl World {
         self.scratch = scratch;
     }
 
-    fn side(&self, shape: u32, dt: Float) -> Side<'_> {
-        let collider = &self.colliders[shape as usize];
-        let body = &self.bodies.bodies[collider.body as usize];
-        let (set, row) = (&self.bodies.sets[body.set.0 as usize], body.row as usize);
-        let motion = &set.motion[row];
-        let moves = body.set == SetId::AWAKE;
-        let (v, w) = if moves {
-            (set.velocity(row), set.angular_velocity(row))
-        } else {
-            (Vec3::zeros(), Vec3::zeros())
-        };
-        let plain = collider.local == Pose::IDENTITY;
-        Side {
-            q: if plain { motion.q } else { motion.q * collider.local.q },
-            arm: rotate(&motion.q, collider.local.p - set.mass[row].center),
-            x: motion.x,
-            v,
-            w,
-            spin_way: length(w) * dt * collider.reach,
-            fall: if moves {
-                length(self.def.gravity) * set.drive[row].gravity_scale.abs() * dt * dt
-            } else {
-                0.0
-            },
-            asleep: body.set.is_sleeping(),
-            moving: body.body_type != BodyType::Static,
-            collider,
-        }
-    }
-
     /// Recomputes one contact.
-    pub(crate) fn update_contact(&self, contact: &mut Contact, dt: Float) {
-        let (a, b) = (self.side(contact.shape[0], dt), self.side(contact.shape[1], dt));
-        // Static bodies have no size limit: a floor does not make a marble's margin large.
-        let size = |s: &Side<'_>| if s.moving { s.collider.inner_radius } else { Float::MAX };
-        let size = size(&a).min(size(&b));
+    fn update_contact(&self, contact: &mut Contact, a: &Side, b: &Side, dt: Float) {
+        let size = a.size.min(b.size);
         let relative = b.v - a.v;
         let way = length(relative) * dt + a.spin_way + b.spin_way + a.fall + b.fall;
         let margin = CONTACT_MARGIN * size + way.min(size);
 
-        let mut manifold = self.meet(&a, &b, margin, &mut contact.cache);
+        let shapes = contact.shape.map(|s| &self.colliders[s as usize].shape);
+        let mut manifold = self.meet(shapes, a, b, margin, &mut contact.cache);
         let normal = rotate(&a.q, manifold.normal);
 
         if a.asleep || b.asleep {
@@ -248,7 +237,7 @@ impl World {
                 manifold.count = 0;
             }
         }
-        if manifold.count > 0 && Self::passes_by(&a, &b, &manifold, normal, dt, size) {
+        if manifold.count > 0 && Self::passes_by(shapes, a, b, &manifold, normal, dt, size) {
             manifold.count = 0;
         }
         if let Some(ask) = &self.callbacks.pre_solve
@@ -261,17 +250,17 @@ impl World {
                 manifold.count = 0;
             }
         }
-        self.carry_impulses(contact, &manifold, normal, &a, &b, size);
-        self.mix_materials(contact, &a, &b);
+        Self::carry_impulses(contact, &manifold, normal, a, b, size);
+        self.mix_materials(contact, a, b);
     }
 
     /// The manifold of two sides, in the frame of A's shape.
-    fn meet(&self, a: &Side<'_>, b: &Side<'_>, margin: Float, cache: &mut Cache) -> Manifold {
+    fn meet(&self, shapes: [&Shape; 2], a: &Side, b: &Side, margin: Float, cache: &mut Cache) -> Manifold {
         let a_from_b = Self::pose_between(a, b);
         let mut manifold = Manifold::default();
         narrow_phase::collide(
-            &a.collider.shape,
-            &b.collider.shape,
+            shapes[0],
+            shapes[1],
             &a_from_b,
             margin,
             self.def.methods(),
@@ -284,8 +273,9 @@ impl World {
     /// Whether two shapes that are apart will stay so in this step, although the plane between their nearest points
     /// would stop them: corners that fly past each other. Turning is left out; where it could matter they do not pass.
     fn passes_by(
-        a: &Side<'_>,
-        b: &Side<'_>,
+        shapes: [&Shape; 2],
+        a: &Side,
+        b: &Side,
         manifold: &Manifold,
         normal: Vec3,
         dt: Float,
@@ -300,29 +290,29 @@ impl World {
         }
         let a_from_b = Self::pose_between(a, b);
         let way = rotate_back(&a.q, way);
-        narrow_phase::shape_cast(&a.collider.shape, &b.collider.shape, &a_from_b, way, 1.0).is_none()
+        narrow_phase::shape_cast(shapes[0], shapes[1], &a_from_b, way, 1.0).is_none()
     }
 
     /// Where the shape of B is in the frame of A's, from the difference of the centres: exact far from the origin, too.
-    fn pose_between(a: &Side<'_>, b: &Side<'_>) -> Pose {
+    fn pose_between(a: &Side, b: &Side) -> Pose {
         Pose::new(rotate_back(&a.q, (b.x - a.x) + b.arm - a.arm), a.q.conjugate() * b.q)
     }
 
     /// The deepest overlap of a contact at the present poses \[m\]; 0 for none. Asks no callback.
     pub(super) fn overlap_now(&self, contact: &Contact) -> Float {
-        let (a, b) = (self.side(contact.shape[0], 0.0), self.side(contact.shape[1], 0.0));
-        let manifold = self.meet(&a, &b, 0.0, &mut contact.cache.clone());
+        let [a, b] = contact.shape.map(|s| self.side(s, 0.0));
+        let shapes = contact.shape.map(|s| &self.colliders[s as usize].shape);
+        let manifold = self.meet(shapes, &a, &b, 0.0, &mut contact.cache.clone());
         manifold.points().iter().fold(0.0, |deepest, p| deepest.max(-p.separation))
     }
 
     /// Takes the new points in; those with known features keep their impulses.
     fn carry_impulses(
-        &self,
         contact: &mut Contact,
         manifold: &Manifold,
         normal: Vec3,
-        a: &Side<'_>,
-        b: &Side<'_>,
+        a: &Side,
+        b: &Side,
         size: Float,
     ) {
         let (mut old, old_count) = (contact.points, contact.count as usize);
@@ -357,8 +347,9 @@ impl World {
     }
 
     /// Coefficients of the pair. Done every step, so that changes of materials take effect at once.
-    fn mix_materials(&self, contact: &mut Contact, a: &Side<'_>, b: &Side<'_>) {
-        let (ma, mb) = (&a.collider.material, &b.collider.material);
+    fn mix_materials(&self, contact: &mut Contact, a: &Side, b: &Side) {
+        let [ca, cb] = contact.shape.map(|s| &self.colliders[s as usize]);
+        let (ma, mb) = (&ca.material, &cb.material);
         let (ia, ib) = (ma.user_material_id, mb.user_material_id);
         let root = |x: Float, y: Float| if x == y { x } else { (x * y).sqrt().min(Float::MAX) };
         let (sa, sb) = (ma.resolved_static_friction(), mb.resolved_static_friction());
@@ -373,17 +364,17 @@ impl World {
             Some(mix) => coefficient(mix(self, ma.restitution, ia, mb.restitution, ib), 1.0),
             None => ma.restitution.max(mb.restitution),
         };
-        contact.rolling_lever = (ma.rolling_resistance * a.collider.rolling_radius())
-            .max(mb.rolling_resistance * b.collider.rolling_radius())
+        contact.rolling_lever = (ma.rolling_resistance * ca.rolling_radius())
+            .max(mb.rolling_resistance * cb.rolling_radius())
             .min(Float::MAX);
         contact.conveyor = if ma.tangent_velocity == Vec3::zeros() && mb.tangent_velocity == Vec3::zeros() {
             Vec3::zeros()
         } else {
-            let world = |s: &Side<'_>, t: Vec3| {
+            let world = |s: &Side, c: &Collider, t: Vec3| {
                 // Given in the body's frame; `q` is the shape's.
-                rotate(&s.q, rotate_back(&s.collider.local.q, t))
+                rotate(&s.q, rotate_back(&c.local.q, t))
             };
-            world(b, mb.tangent_velocity) - world(a, ma.tangent_velocity)
+            world(b, cb, mb.tangent_velocity) - world(a, ca, ma.tangent_velocity)
         };
         debug_assert!(contact.place[0] != NONE);
     }

@@ -11,6 +11,7 @@ mod query;
 mod ragdoll;
 mod report;
 mod seed;
+mod side;
 mod step;
 mod validate;
 mod view;
@@ -53,6 +54,13 @@ pub(crate) struct Callbacks {
     pub pre_solve: Option<Arc<PreSolve>>,
     pub friction: Option<Arc<Mixing>>,
     pub restitution: Option<Arc<Mixing>>,
+}
+
+impl Callbacks {
+    /// Whether one of them is called, with the world, while contacts are brought up to date.
+    fn see_contacts(&self) -> bool {
+        self.pre_solve.is_some() || self.friction.is_some() || self.restitution.is_some()
+    }
 }
 
 impl std::fmt::Debug for Callbacks {

@@ -1,5 +1,6 @@
 //! Stage 10 of a step: events.
 
+use super::collide::CONTACTS_AHEAD;
 use super::{BodyMoveEvent, BodyType, ContactBeginEvent, ContactEndEvent, ContactHitEvent, World};
 use crate::constraint::contact::flags;
 use crate::constraint::{Contact, ContactPoint};
@@ -39,15 +40,16 @@ impl World {
     fn publish_touches(&mut self) {
         for k in 0..self.contacts.awake.len() {
             let index = self.contacts.awake[k] as usize;
+            self.contacts.prefetch_at(self.contacts.awake.get(k + CONTACTS_AHEAD).copied());
             let contact = &self.contacts.contacts[index];
-            let size = contact.shape.iter().map(|&s| self.colliders[s as usize].inner_radius);
-            let slack = TOUCH_MARGIN * size.fold(Float::MAX, Float::min);
             let was = contact.is(flags::TOUCHING);
             // Beginning takes a force or an overlap; having begun, it takes a visible gap to end.
-            let is = contact
-                .points()
-                .iter()
-                .any(|p| p.total > 0.0 || p.separation <= if was { slack } else { 0.0 });
+            let is = contact.points().iter().any(|p| p.total > 0.0 || p.separation <= 0.0)
+                || was && {
+                    let size = contact.shape.iter().map(|&s| self.colliders[s as usize].inner_radius);
+                    let slack = TOUCH_MARGIN * size.fold(Float::MAX, Float::min);
+                    contact.points().iter().any(|p| p.separation <= slack)
+                };
             if contact.is(flags::EVENTS) && is != was {
                 let (a, b) =
                     (self.shape_id(contact.shape[0] as usize), self.shape_id(contact.shape[1] as usize));

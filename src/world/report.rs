@@ -138,6 +138,7 @@ impl World {
             + self.identity.shapes.byte_count()
             + self.identity.contacts.byte_count()
             + self.scratch.pairs.capacity() * 8
+            + self.scratch.sides.byte_count()
     }
 
     /// Measures the present state. Costs a narrow phase: it is meant for tests, plots and tuning.

@@ -137,6 +137,7 @@ fn tables(input: &[Vec3], loops: &[Vec<u32>]) -> Hull {
         volume: 0.0,
         unit_inertia: Mat3::zeros(),
         inner_radius: 0.0,
+        reach: 0.0,
         faces: Vec::with_capacity(loops.len()),
         loops: Vec::new(),
         loop_edges: Vec::new(),
@@ -192,7 +193,7 @@ fn fill_edges(hull: &mut Hull) {
     }
     let rays = hull.edges.iter().map(|e| {
         let [start, end] = e.v.map(|v| hull.vertices[v as usize]);
-        EdgeRay { start, along: end - start, normals: e.f.map(|f| hull.faces[f as usize].normal) }
+        EdgeRay::new(start, end - start, e.f.map(|f| hull.faces[f as usize].normal))
     });
     hull.edge_rays = rays.collect();
 }
@@ -245,4 +246,5 @@ fn fill_mass(hull: &mut Hull) {
         })
         .fold(Float::MAX, Float::min);
     hull.inner_radius = least.max(0.0);
+    hull.reach = hull.outer_radius(hull.center);
 }

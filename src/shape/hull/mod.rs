@@ -43,6 +43,7 @@ pub struct Hull {
     /// The inertia about `center` per unit of density.
     unit_inertia: Mat3,
     inner_radius: Float,
+    reach: Float,
 }
 
 /// A face: its plane `normal · x = offset` and its place in the loops.
@@ -305,6 +306,11 @@ impl Polytope for Hull {
     #[inline(always)]
     fn inner_radius(&self) -> Float {
         self.inner_radius
+    }
+
+    #[inline(always)]
+    fn reach(&self) -> Float {
+        self.reach
     }
 
     #[inline(always)]

@@ -8,7 +8,7 @@ use crate::island::IslandStore;
 use crate::island::color::{COLORS, OVERFLOW};
 use crate::math::{Float, length};
 use crate::solver::Settings;
-use crate::solver::bodies::{Bodies, center, island_of};
+use crate::solver::bodies::{Bodies, HEADS_AHEAD, center};
 use crate::solver::joints;
 use crate::solver::rows::Rows;
 use crate::solver::soft;
@@ -21,6 +21,9 @@ const GREATEST_GROWTH: Float = 8.0;
 /// How many constraints are placed before their blocks are filled: a multiple of every width, few enough to stay
 /// in the cache.
 const CHUNK: usize = 512;
+
+/// How many contacts ahead a walk asks for their memory.
+const CONTACTS_AHEAD: usize = 12;
 
 /// Blocks of one (batch, colour, kind).
 #[derive(Clone, Debug)]
@@ -42,8 +45,10 @@ pub struct Workspace {
     groups_of: Vec<Range<usize>>,
     /// The filter rate of each island, by island index.
     ratio_of: Vec<Float>,
-    /// Σ normal impulse by solver row.
-    load: Vec<Float>,
+    /// Σ normal impulse, and mass, by solver row.
+    load: Vec<[Float; 2]>,
+    /// Which solver rows have contacts.
+    touched: Vec<bool>,
     preload: Preload,
     keys: Vec<u64>,
     placed: Vec<Placed>,
@@ -85,7 +90,7 @@ impl Workspace {
             }
         }
         rows.fill(bodies, islands, settings);
-        self.sort_constraints(rows, bodies, contacts);
+        self.sort_constraints(rows, contacts);
         self.measure_loads(rows, bodies, contacts, islands, settings);
         joint_rows.begin(rows, bodies, joints);
         self.fill_blocks(rows, joint_rows, bodies, contacts, joints, islands, settings);
@@ -105,17 +110,18 @@ impl Workspace {
         self.ratio_of.clear();
         self.ratio_of.resize(islands.islands.len(), 1.0);
         self.load.clear();
-        self.load.resize(rows.rows.row.len(), 0.0);
-        for &key in &self.keys {
+        self.load.extend(rows.rows.aux.iter().map(|aux| [0.0, aux.mass]));
+        for (k, &key) in self.keys.iter().enumerate() {
+            contacts.prefetch_at(self.keys.get(k + CONTACTS_AHEAD).map(|&key| key as u32));
             let contact = &contacts.contacts[key as u32 as usize];
-            let island = island_of(bodies, contact.body).expect("sorted ones have an island");
+            let island = rows.island_of(contact.body).expect("sorted ones have an island");
             let sum: Float = contact.points().iter().map(|p| p.impulse).sum();
             let mut masses = [0.0; 2];
-            for (mass, &body) in masses.iter_mut().zip(&contact.body) {
-                if bodies.bodies[body as usize].island != NONE {
-                    let row = rows.row_of(bodies, body);
-                    self.load[row] += sum;
-                    *mass = rows.rows.aux[row].mass;
+            for (mass, seat) in masses.iter_mut().zip(rows.seats_of(contact.body)) {
+                if seat.island != NONE {
+                    let [load, its_mass] = &mut self.load[seat.row as usize];
+                    *load += sum;
+                    *mass = *its_mass;
                 }
             }
             if masses[0] > 0.0 && masses[1] > 0.0 {
@@ -125,7 +131,7 @@ impl Workspace {
             }
         }
         let weight = length(settings.gravity) * settings.last_h;
-        for (row, &load) in self.load.iter().enumerate().skip(1) {
+        for (row, &[load, _]) in self.load.iter().enumerate().skip(1) {
             let aux = &mut rows.rows.aux[row];
             aux.supported = load > 0.0;
             if load > 0.0 && weight > 0.0 && aux.mass > 0.0 {
@@ -140,15 +146,16 @@ impl Workspace {
 
     /// Keys (batch, colour, kind, contact), sorted. Overflow comes first: what the colours do after it is better
     /// converged.
-    fn sort_constraints(&mut self, rows: &Bodies, bodies: &BodyStore, contacts: &ContactStore) {
+    fn sort_constraints(&mut self, rows: &Bodies, contacts: &ContactStore) {
         self.keys.clear();
         self.overflow = 0;
-        for &c in &contacts.awake {
+        for (k, &c) in contacts.awake.iter().enumerate() {
+            contacts.prefetch_head(contacts.awake.get(k + HEADS_AHEAD).copied());
             let contact = &contacts.contacts[c as usize];
-            let Some(island) = island_of(bodies, contact.body).filter(|_| contact.is(flags::CONSTRAINT))
-            else {
+            if !contact.is(flags::CONSTRAINT) {
                 continue;
-            };
+            }
+            let Some(island) = rows.island_of(contact.body) else { continue };
             let color = if contact.color == OVERFLOW {
                 self.overflow += 1;
                 0
@@ -196,6 +203,8 @@ impl Workspace {
             .map(|(factor, speed)| soft(factor * settings.stiffness / h, settings.damping_ratio, h, speed));
         let impulse_scale =
             if settings.last_h > 0.0 { (h / settings.last_h).min(GREATEST_GROWTH) } else { 1.0 };
+        self.touched.clear();
+        self.touched.resize(rows.rows.row.len(), false);
         let mut at = 0;
         for batch in 0..rows.batches.len() {
             let first = self.groups.len();
@@ -206,15 +215,15 @@ impl Workspace {
                 self.placed.clear();
                 while at < self.keys.len() && self.keys[at] >> 32 == group && self.placed.len() < CHUNK {
                     let index = self.keys[at] as u32;
+                    contacts.prefetch_at(self.keys.get(at + CONTACTS_AHEAD).map(|&key| key as u32));
                     let contact = &contacts.contacts[index as usize];
-                    let island = island_of(bodies, contact.body).expect("sorted ones have an island");
+                    let island = rows.island_of(contact.body).expect("sorted ones have an island");
+                    let is_fixed = rows.seats_of(contact.body).iter().any(|seat| seat.island == NONE);
                     let placed = Placed {
                         index,
                         rows: contact.body.map(|b| rows.row_for(bodies, b, batch, settings)),
                         offset: center(bodies, contact.body[0]) - center(bodies, contact.body[1]),
-                        soft: softness_of[usize::from(
-                            contact.body.iter().any(|&b| bodies.bodies[b as usize].island == NONE),
-                        )],
+                        soft: softness_of[usize::from(is_fixed)],
                         alpha: if settings.load_memory {
                             memory_rate(
                                 self.ratio_of[island as usize],
@@ -231,8 +240,10 @@ impl Workspace {
                 }
                 let (kind, color) = ((group % 32) as usize, group / 32 % 32);
                 let width = usize::from(settings.wide && color != 0);
+                // Copies of kinematic bodies came just now.
+                self.touched.resize(rows.rows.row.len(), false);
                 for &row in self.placed.iter().flat_map(|p| &p.rows) {
-                    rows.rows.aux[row as usize].touched = true;
+                    self.touched[row as usize] = true;
                 }
                 let blocks =
                     self.kinds.by_width[width][kind].append(&contacts.contacts, &self.placed, &rows.rows);
@@ -241,13 +252,20 @@ impl Workspace {
             self.groups_of.push(first..self.groups.len());
         }
         debug_assert_eq!(at, self.keys.len());
+        for (aux, &touched) in rows.rows.aux.iter_mut().zip(&self.touched) {
+            aux.touched |= touched;
+        }
     }
 
     /// Bytes held.
     #[must_use]
     pub fn byte_count(&self) -> usize {
         let blocks: usize = self.kinds.by_width.iter().flatten().map(|k| k.byte_count()).sum();
-        blocks + self.keys.capacity() * 8 + self.placed.capacity() * size_of::<Placed>()
+        blocks
+            + self.keys.capacity() * 8
+            + self.load.capacity() * size_of::<[Float; 2]>()
+            + self.touched.capacity()
+            + self.placed.capacity() * size_of::<Placed>()
     }
 }
 
