@@ -1236,7 +1236,9 @@ typedef struct mvWorldDef {
      */
     void *userData;
     /**
-     * The relative error aimed at, >= 0; default 0: exactly the sub-steps asked for. Only 0 is built yet.
+     * The error that a step may add to the motion, as a share of the way gone in it, 0 to 1; default 0: exactly the
+     * sub-steps asked for. Otherwise they are the least, and an island gets two, four, ... 32 times as many where that
+     * is needed and helps: for swinging, spinning and springy things. Only with the solver softStep.
      */
     mvFloat accuracy;
     /**
@@ -3048,6 +3050,10 @@ typedef struct mvProfile {
      */
     float islands;
     /**
+     * Rehearsals, where an accuracy is to be kept.
+     */
+    float rehearse;
+    /**
      * Laying out the constraints.
      */
     float prepare;
@@ -3152,9 +3158,18 @@ typedef struct mvStepReport {
      */
     mvFloat residual;
     /**
-     * The sub-steps of the last step.
+     * The sub-steps of the last step, as it was asked for.
      */
     int subStepCount;
+    /**
+     * The most sub-steps that an island had in the last step: more than that only with an accuracy to keep.
+     */
+    int mostSubStepCount;
+    /**
+     * The greatest error that rehearsals of awake islands found last: what a step adds to the motion, as a share of the
+     * way gone in it. 0 without an accuracy.
+     */
+    mvFloat error;
     /**
      * The solver of the last step: one of the mv_solver... constants.
      */
@@ -3785,6 +3800,15 @@ MV_API void mvBody_SetSleepThreshold(mvBodyId bodyId, mvFloat sleepThreshold);
  * @return the speed [m/s]; 0 for a bad body
  */
 MV_API mvFloat mvBody_GetSleepThreshold(mvBodyId bodyId);
+
+/**
+ * Get the sub-steps that the next step takes for a body: those of the last step, or more where the world has an accuracy
+ * to keep, see mvWorldDef.accuracy.
+ * @param bodyId the body
+ * @return a count; 0 before the first step and for a bad body
+ */
+MV_API
+int mvBody_GetSubStepCount(mvBodyId bodyId);
 
 /**
  * Does this body take part in the world?
@@ -8477,6 +8501,23 @@ MV_API void mvWorld_SetMaximumLinearSpeed(mvWorldId worldId, mvFloat maximumLine
  * @return the speed [m/s], infinity for no limit; 0 for a bad world
  */
 MV_API mvFloat mvWorld_GetMaximumLinearSpeed(mvWorldId worldId);
+
+/**
+ * Set the accuracy to keep: see mvWorldDef.accuracy.
+ * @param worldId the world
+ * @param accuracy the error that a step may add, as a share of the way gone in it, 0 to 1; 0: exactly the sub-steps asked for
+ * @note Errors: mv_errorRange, mv_errorNotFinite, mv_errorUnsupported: not 0 with another solver than softStep.
+ */
+MV_API
+void mvWorld_SetAccuracy(mvWorldId worldId,
+                         mvFloat accuracy);
+
+/**
+ * Get the accuracy to keep.
+ * @param worldId the world
+ * @return a share of the way; 0 for none, and for a bad world
+ */
+MV_API mvFloat mvWorld_GetAccuracy(mvWorldId worldId);
 
 /**
  * Get the number of bodies that the next step moves.

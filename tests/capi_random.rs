@@ -112,7 +112,7 @@ impl Story {
 
     fn world_def(&mut self) -> mvWorldDef {
         let mut d = mvDefaultWorldDef();
-        match self.r.below(12) {
+        match self.r.below(13) {
             0 => d.gravity = self.r.vec(),
             1 => d.restitution_threshold = self.r.num(),
             2 => d.contact_stiffness = self.r.num(),
@@ -123,7 +123,8 @@ impl Story {
             7 => d.solver = self.r.choice(),
             8 => d.internal_value = self.r.word() as i32,
             9 => d.enable_sleep = self.r.flag(),
-            10 => d.friction_callback = Some(mixing),
+            10 => d.accuracy = 1e-3,
+            11 => d.friction_callback = Some(mixing),
             _ => {}
         }
         d

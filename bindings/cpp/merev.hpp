@@ -293,6 +293,8 @@ public:
     void setSleepThreshold(Float sleepThreshold) const noexcept { mvBody_SetSleepThreshold(id(), sleepThreshold); }
     /// Get the speed below which a body may fall asleep.
     Float getSleepThreshold() const noexcept { return mvBody_GetSleepThreshold(id()); }
+    /// Get the sub-steps that the next step takes for a body: those of the last step, or more where the world has an accuracy to keep, see mvWorldDef.accuracy.
+    int getSubStepCount() const noexcept { return mvBody_GetSubStepCount(id()); }
     /// Does this body take part in the world?
     bool isEnabled() const noexcept { return mvBody_IsEnabled(id()); }
     /// Take a body out of the world, keeping its state.
@@ -1549,6 +1551,10 @@ public:
     }
     /// Get the greatest speed of bodies.
     Float getMaximumLinearSpeed() const noexcept { return mvWorld_GetMaximumLinearSpeed(id()); }
+    /// Set the accuracy to keep: see mvWorldDef.accuracy.
+    void setAccuracy(Float accuracy) const noexcept { mvWorld_SetAccuracy(id(), accuracy); }
+    /// Get the accuracy to keep.
+    Float getAccuracy() const noexcept { return mvWorld_GetAccuracy(id()); }
     /// Get the number of bodies that the next step moves.
     int getAwakeBodyCount() const noexcept { return mvWorld_GetAwakeBodyCount(id()); }
     /// Set the number of threads that step the world.

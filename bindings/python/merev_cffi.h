@@ -791,6 +791,7 @@ typedef struct mvProfile {
     float pairs;
     float collide;
     float islands;
+    float rehearse;
     float prepare;
     float solve;
     float transforms;
@@ -819,6 +820,8 @@ typedef struct mvStepReport {
     mvFloat jointAngleGap;
     mvFloat residual;
     int subStepCount;
+    int mostSubStepCount;
+    mvFloat error;
     mvSolverKind solver;
     mvFloat solverResidual;
     int solveCount;
@@ -940,6 +943,7 @@ typedef struct mvVec2 {
  bool mvBody_IsSleepEnabled(mvBodyId bodyId);
  void mvBody_SetSleepThreshold(mvBodyId bodyId, mvFloat sleepThreshold);
  mvFloat mvBody_GetSleepThreshold(mvBodyId bodyId);
+int mvBody_GetSubStepCount(mvBodyId bodyId);
  bool mvBody_IsEnabled(mvBodyId bodyId);
  void mvBody_Disable(mvBodyId bodyId);
  void mvBody_Enable(mvBodyId bodyId);
@@ -1685,6 +1689,9 @@ void mvWorld_SetContactTuning(mvWorldId worldId,
  mvContactTuning mvWorld_GetContactTuning(mvWorldId worldId);
  void mvWorld_SetMaximumLinearSpeed(mvWorldId worldId, mvFloat maximumLinearSpeed);
  mvFloat mvWorld_GetMaximumLinearSpeed(mvWorldId worldId);
+void mvWorld_SetAccuracy(mvWorldId worldId,
+                         mvFloat accuracy);
+ mvFloat mvWorld_GetAccuracy(mvWorldId worldId);
  int mvWorld_GetAwakeBodyCount(mvWorldId worldId);
  void mvWorld_SetWorkerCount(mvWorldId worldId, int count);
  int mvWorld_GetWorkerCount(mvWorldId worldId);

@@ -159,6 +159,15 @@ pub extern "C" fn mvBody_GetSleepThreshold(body_id: mvBodyId) -> mvFloat {
     read_body(body_id, |b| Ok(b.sleep_threshold()))
 }
 
+/// Get the sub-steps that the next step takes for a body: those of the last step, or more where the world has an accuracy
+/// to keep, see mvWorldDef.accuracy.
+/// @param bodyId the body
+/// @return a count; 0 before the first step and for a bad body
+#[unsafe(no_mangle)]
+pub extern "C" fn mvBody_GetSubStepCount(body_id: mvBodyId) -> c_int {
+    read_body(body_id, |b| Ok(c_count(b.sub_steps() as usize)))
+}
+
 /// Does this body take part in the world?
 /// @param bodyId the body
 #[unsafe(no_mangle)]

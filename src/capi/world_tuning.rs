@@ -34,6 +34,8 @@ pub struct mvProfile {
     pub collide: f32,
     /// Islands.
     pub islands: f32,
+    /// Rehearsals, where an accuracy is to be kept.
+    pub rehearse: f32,
     /// Laying out the constraints.
     pub prepare: f32,
     /// Solving, all sub-steps.
@@ -92,8 +94,13 @@ pub struct mvStepReport {
     pub joint_angle_gap: mvFloat,
     /// The greatest approach speed left at a loaded contact point [m/s].
     pub residual: mvFloat,
-    /// The sub-steps of the last step.
+    /// The sub-steps of the last step, as it was asked for.
     pub sub_step_count: c_int,
+    /// The most sub-steps that an island had in the last step: more than that only with an accuracy to keep.
+    pub most_sub_step_count: c_int,
+    /// The greatest error that rehearsals of awake islands found last: what a step adds to the motion, as a share of the
+    /// way gone in it. 0 without an accuracy.
+    pub error: mvFloat,
     /// The solver of the last step: one of the mv_solver... constants.
     pub solver: super::def::mvSolverKind,
     /// The greatest error of the contact laws at any point when the solver was done [m/s]; softStep does not measure
@@ -123,6 +130,7 @@ const NO_PROFILE: mvProfile = mvProfile {
     pairs: 0.0,
     collide: 0.0,
     islands: 0.0,
+    rehearse: 0.0,
     prepare: 0.0,
     solve: 0.0,
     transforms: 0.0,
@@ -157,6 +165,8 @@ neutral! {
         joint_angle_gap: 0.0,
         residual: 0.0,
         sub_step_count: 0,
+        most_sub_step_count: 0,
+        error: 0.0,
         solver: 0,
         solver_residual: 0.0,
         solve_count: 0,
@@ -304,6 +314,23 @@ pub extern "C" fn mvWorld_GetMaximumLinearSpeed(world_id: mvWorldId) -> mvFloat 
     read_world(world_id, |v| Ok(v.world.def().maximum_linear_speed))
 }
 
+/// Set the accuracy to keep: see mvWorldDef.accuracy.
+/// @param worldId the world
+/// @param accuracy the error that a step may add, as a share of the way gone in it, 0 to 1; 0: exactly the sub-steps asked for
+/// @note Errors: mv_errorRange, mv_errorNotFinite, mv_errorUnsupported: not 0 with another solver than softStep.
+#[unsafe(no_mangle)]
+pub extern "C" fn mvWorld_SetAccuracy(world_id: mvWorldId, accuracy: mvFloat) {
+    write_world(world_id, |e| e.world.set_accuracy(accuracy));
+}
+
+/// Get the accuracy to keep.
+/// @param worldId the world
+/// @return a share of the way; 0 for none, and for a bad world
+#[unsafe(no_mangle)]
+pub extern "C" fn mvWorld_GetAccuracy(world_id: mvWorldId) -> mvFloat {
+    read_world(world_id, |v| Ok(v.world.def().accuracy))
+}
+
 /// Get the number of bodies that the next step moves.
 /// @param worldId the world
 #[unsafe(no_mangle)]
@@ -362,6 +389,8 @@ pub extern "C" fn mvWorld_GetStepReport(world_id: mvWorldId) -> mvStepReport {
             joint_angle_gap: r.joint_angle_gap,
             residual: r.residual,
             sub_step_count: c_count(r.sub_steps as usize),
+            most_sub_step_count: c_count(r.most_sub_steps as usize),
+            error: r.error,
             solver: r.solve.solver.resolved() as i32,
             solver_residual: r.solve.residual,
             solve_count: c_count(r.solve.solves as usize),
@@ -392,6 +421,7 @@ impl From<crate::world::Profile> for mvProfile {
             pairs: p.find_pairs,
             collide: p.update_contacts,
             islands: p.build_islands,
+            rehearse: p.rehearse,
             prepare: p.prepare,
             solve: p.solve,
             transforms: p.advance,

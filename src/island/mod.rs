@@ -2,9 +2,11 @@
 //! and one that lost a constraint is split only when it could otherwise fall asleep.
 
 pub mod color;
+pub mod pacing;
 
 use crate::body::{Body, NONE};
 use crate::constraint::{Contact, Joint, contact::flags};
+use pacing::Pacing;
 
 /// Dynamic bodies that are solved, and fall asleep, together.
 #[derive(Clone, Debug, Default)]
@@ -19,6 +21,8 @@ pub struct Island {
     pub height: u32,
     /// Whether a constraint ties it to a static or kinematic body.
     pub anchored: bool,
+    /// How many sub-steps it gets.
+    pub pacing: Pacing,
 }
 
 /// All islands, awake and asleep.
@@ -42,6 +46,7 @@ impl IslandStore {
         debug_assert!(island.bodies.is_empty());
         island.bodies.push(body);
         (island.lost, island.changed, island.height, island.anchored) = (0, true, 1, false);
+        island.pacing = Pacing::default();
         let b = &mut bodies[body as usize];
         (b.island, b.island_place) = (id, 0);
         id
@@ -80,7 +85,7 @@ impl IslandStore {
         let larger_a = self.islands[ia as usize].bodies.len() >= self.islands[ib as usize].bodies.len();
         let (into, from) = if larger_a { (ia, ib) } else { (ib, ia) };
         let mut moved = std::mem::take(&mut self.islands[from as usize].bodies);
-        let lost = self.islands[from as usize].lost;
+        let Island { lost, pacing, .. } = self.islands[from as usize];
         let target = &mut self.islands[into as usize];
         for &body in &moved {
             let b = &mut bodies[body as usize];
@@ -88,6 +93,7 @@ impl IslandStore {
             target.bodies.push(body);
         }
         target.lost += lost;
+        target.pacing.join(&pacing);
         moved.clear();
         self.islands[from as usize].bodies = moved;
         self.free.push(from);
@@ -110,6 +116,7 @@ impl IslandStore {
     /// Splits an island into its connected parts. Its own id stays with the first part.
     pub fn split(&mut self, id: u32, bodies: &mut [Body], contacts: &[Contact], joints: &[Joint]) {
         let members = std::mem::take(&mut self.islands[id as usize].bodies);
+        let pacing = self.islands[id as usize].pacing;
         for &m in &members {
             bodies[m as usize].island = NONE;
         }
@@ -127,7 +134,9 @@ impl IslandStore {
                 (bodies[seed as usize].island, bodies[seed as usize].island_place) = (id, 0);
                 id
             } else {
-                self.open(seed, bodies)
+                let part = self.open(seed, bodies);
+                self.islands[part as usize].pacing = pacing;
+                part
             };
             queue.clear();
             queue.push(seed);

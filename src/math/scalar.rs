@@ -36,6 +36,8 @@ portable! {
     acos(x) = acosf | acos;
     /// The cube root.
     cbrt(x) = cbrtf | cbrt;
+    /// The logarithm to base 2.
+    log2(x) = log2f | log2;
     /// e to the power of x.
     exp(x) = expf | exp;
 }

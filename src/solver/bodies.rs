@@ -34,6 +34,8 @@ pub struct Batch {
     pub islands: Range<usize>,
     /// Whether its islands (all or none) have both joints and contacts.
     pub mixed: bool,
+    /// Its islands' sub-steps are the world's times two to this power.
+    pub level: i32,
 }
 
 /// An awake island.
@@ -45,6 +47,8 @@ pub struct AwakeIsland {
     pub constraints: u32,
     /// Whether it has both joints and contacts.
     pub mixed: bool,
+    /// Its sub-steps are the world's times two to this power.
+    pub level: i32,
     /// The solver rows of its bodies.
     pub rows: Range<usize>,
 }
@@ -70,7 +74,8 @@ pub struct Bodies {
     pub rows: Rows,
     /// Batches of islands.
     pub batches: Vec<Batch>,
-    /// The awake islands, in order of their first awake body; those with both joints and contacts last.
+    /// The awake islands, in order of their first awake body; those with both joints and contacts, or more sub-steps
+    /// than others, last.
     pub islands: Vec<AwakeIsland>,
     /// How many constraints they have.
     pub constraints: usize,
@@ -89,13 +94,15 @@ pub struct Bodies {
 }
 
 impl Bodies {
-    /// Finds the awake islands and counts their constraints.
+    /// Finds the awake islands (in a rehearsal: those that are rehearsed) and counts their constraints.
     pub fn gather(
         &mut self,
         bodies: &BodyStore,
         contacts: &ContactStore,
         joints: &JointStore,
         islands: &IslandStore,
+        settings: &Settings,
+        rehearsal: Option<usize>,
     ) {
         self.islands.clear();
         self.place_of.clear();
@@ -106,14 +113,23 @@ impl Bodies {
             }
         }
         self.seats.resize(bodies.bodies.len(), Seat::NONE);
+        let mut uneven = false;
         for &index in &bodies.awake().index {
             let island = bodies.bodies[index as usize].island;
             self.seats[index as usize].island = island;
             self.seated.push(index);
-            if island != NONE && self.place_of[island as usize] == NONE {
-                self.place_of[island as usize] = self.islands.len() as u32;
-                self.islands.push(AwakeIsland { id: island, constraints: 0, mixed: false, rows: 0..0 });
+            if island == NONE || self.place_of[island as usize] != NONE {
+                continue;
             }
+            let pacing = &islands.islands[island as usize].pacing;
+            let level = match rehearsal {
+                Some(_) if !pacing.rehearsed => continue,
+                Some(trial) => pacing.trials(settings.sub_steps)[trial],
+                None => pacing.level,
+            };
+            uneven |= level != 0;
+            self.place_of[island as usize] = self.islands.len() as u32;
+            self.islands.push(AwakeIsland { id: island, constraints: 0, mixed: false, level, rows: 0..0 });
         }
         self.constraints = 0;
         for (k, &c) in contacts.awake.iter().enumerate() {
@@ -122,37 +138,47 @@ impl Bodies {
             if !contact.is(flags::CONSTRAINT) {
                 continue;
             }
-            if let Some(island) = self.island_of(contact.body) {
+            if let Some(island) = self.island_of(contact.body).filter(|&island| self.is_gathered(island)) {
                 self.islands[self.place_of[island as usize] as usize].constraints += 1;
                 self.constraints += 1;
             }
         }
         if !joints.live.is_empty() {
-            self.put_mixed_last(bodies, islands);
+            uneven |= self.find_mixed(bodies, islands);
+        }
+        if uneven {
+            self.put_alike_together();
         }
     }
 
-    /// No island's result may depend on which others share its batch, so those that are swept twice have their own.
-    fn put_mixed_last(&mut self, bodies: &BodyStore, islands: &IslandStore) {
+    /// Finds the islands that are swept twice a sub-step; says whether there are any.
+    fn find_mixed(&mut self, bodies: &BodyStore, islands: &IslandStore) -> bool {
         let mut any = false;
         for island in self.islands.iter_mut().filter(|island| island.constraints > 0) {
             let mut members = islands.islands[island.id as usize].bodies.iter();
             island.mixed = members.any(|&b| !bodies.bodies[b as usize].joints.is_empty());
             any |= island.mixed;
         }
-        if any {
-            let Self { islands, place_of, .. } = self;
-            islands.sort_unstable_by_key(|island| (island.mixed, place_of[island.id as usize]));
-            for (place, island) in islands.iter().enumerate() {
-                place_of[island.id as usize] = place as u32;
-            }
+        any
+    }
+
+    /// No island's result may depend on which others share its batch, so those that are swept alike have their own.
+    fn put_alike_together(&mut self) {
+        let Self { islands, place_of, .. } = self;
+        islands.sort_unstable_by_key(|island| (island.mixed, island.level, place_of[island.id as usize]));
+        for (place, island) in islands.iter().enumerate() {
+            place_of[island.id as usize] = place as u32;
         }
+    }
+
+    /// Whether an island, by its index in the store, takes part.
+    pub fn is_gathered(&self, island: u32) -> bool {
+        self.place_of[island as usize] != NONE
     }
 
     /// Lays the bodies of the gathered islands out, by batch and island.
     pub fn fill(&mut self, bodies: &BodyStore, islands: &IslandStore, settings: &Settings) {
         let awake = bodies.awake();
-        let h = settings.h();
         self.rows.row.clear();
         self.rows.inertia.clear();
         self.rows.aux.clear();
@@ -168,13 +194,14 @@ impl Bodies {
         self.batches.clear();
         self.isolated.clear();
 
-        let (mut bytes, mut mixed) = (usize::MAX, false);
+        let (mut bytes, mut alike) = (usize::MAX, (false, 0));
         for (place, awake_island) in self.islands.iter_mut().enumerate() {
             let island = &islands.islands[awake_island.id as usize];
             let size = island.bodies.len() * (size_of::<Row>() + size_of::<InertiaRow>() + size_of::<Aux>())
                 + awake_island.constraints as usize * 70 * size_of::<Float>();
-            if bytes == usize::MAX || bytes + size > BATCH_BYTES || mixed != awake_island.mixed {
-                mixed = awake_island.mixed;
+            let (mixed, level) = (awake_island.mixed, awake_island.level);
+            if bytes == usize::MAX || bytes + size > BATCH_BYTES || alike != (mixed, level) {
+                alike = (mixed, level);
                 let (row, isolated) = (self.rows.row.len(), self.isolated.len());
                 self.batches.push(Batch {
                     rows: row..row,
@@ -182,12 +209,14 @@ impl Bodies {
                     isolated: isolated..isolated,
                     islands: place..place,
                     mixed,
+                    level,
                 });
                 bytes = 0;
             }
             bytes += size;
             self.batch_of[awake_island.id as usize] = self.batches.len() as u32 - 1;
             let start = self.rows.row.len();
+            let h = settings.at(level).h();
             for &body in &island.bodies {
                 let row = bodies.bodies[body as usize].row as usize;
                 self.row_of[row] = self.rows.row.len() as u32;

@@ -184,6 +184,14 @@ impl Settings {
         self.dt / self.sub_steps as Float
     }
 
+    /// The same with the sub-steps of an island of this level: two to that power times as many.
+    #[must_use]
+    pub fn at(&self, level: i32) -> Self {
+        let sub_steps =
+            if level < 0 { self.sub_steps >> level.unsigned_abs() } else { self.sub_steps << level };
+        Self { sub_steps, ..*self }
+    }
+
     /// What a sub-step's kernels need to know.
     #[must_use]
     pub fn sub_step(&self) -> SubStep {
@@ -234,7 +242,8 @@ impl Clone for Work {
 }
 
 impl Work {
-    /// Lays the awake islands out: bodies and constraints. New resting contacts may get their first impulses.
+    /// Lays the awake islands out: bodies and constraints. New resting contacts may get their first impulses. In a
+    /// rehearsal only the islands that are rehearsed are laid out, with that trial's sub-steps.
     pub fn prepare(
         &mut self,
         bodies: &BodyStore,
@@ -242,8 +251,9 @@ impl Work {
         joints: &JointStore,
         islands: &mut IslandStore,
         settings: &Settings,
+        rehearsal: Option<usize>,
     ) {
-        self.bodies.gather(bodies, contacts, joints, islands);
+        self.bodies.gather(bodies, contacts, joints, islands, settings, rehearsal);
         self.report.begin_step(settings.solver);
         let Self { bodies: rows, joints: joint_rows, soft_step, points, .. } = self;
         match settings.solver.resolved() {
@@ -284,6 +294,11 @@ impl Work {
         }
         points.store(contacts);
         joint_rows.store(joints, settings.dt);
+    }
+
+    /// The same as [`Work::solve`] with soft_step, but nothing outlives it: what it did is left in the rows only.
+    pub fn rehearse(&mut self, bodies: &BodyStore, joints: &JointStore, settings: &Settings) {
+        soft_step::run(&mut self.soft_step, &mut self.bodies, &mut self.joints, bodies, joints, settings);
     }
 
     /// Bytes held.

@@ -1,5 +1,6 @@
 //! The world: all bodies, shapes and contacts, and what a user does with them.
 
+mod accuracy;
 mod collide;
 mod collider;
 mod def;
@@ -34,7 +35,7 @@ use crate::broad_phase::{BroadPhase, Layer, PairSet};
 use crate::constraint::{ContactStore, JointStore, contact::flags};
 use crate::error::{Error, ErrorCode, Result, check};
 use crate::event::{BodyMoveEvent, ContactBeginEvent, ContactEndEvent, ContactHitEvent, Events};
-use crate::island::{IslandStore, color::Coloring};
+use crate::island::{IslandStore, color::Coloring, pacing::Pacing};
 use crate::math::{Float, Pose, Vec3};
 use crate::shape::{MassData, Shape};
 use crate::solver::Work;
@@ -90,6 +91,7 @@ pub struct World {
     pub(crate) events: Events,
     pub(crate) callbacks: Callbacks,
     pub(crate) work: Work,
+    pub(crate) rehearsal: accuracy::Rehearsal,
     pub(crate) scratch: collide::Scratch,
     /// Colliders whose fat box is new since the last `find_pairs`.
     pub(crate) moved: Vec<u32>,
@@ -135,6 +137,7 @@ impl World {
             events: Events::default(),
             callbacks: Callbacks::default(),
             work: Work::default(),
+            rehearsal: accuracy::Rehearsal::default(),
             scratch: collide::Scratch::default(),
             moved: Vec::new(),
             last_h: 0.0,
@@ -237,6 +240,20 @@ impl World {
             (stiffness, damping_ratio, speed);
         def.validate()?;
         self.def = def;
+        Ok(())
+    }
+
+    /// Sets the accuracy to keep, see [`WorldDef::accuracy`].
+    ///
+    /// # Errors
+    /// NotFinite, Range; Unsupported with another solver than soft_step.
+    pub fn set_accuracy(&mut self, accuracy: Float) -> Result<()> {
+        let def = WorldDef { accuracy, ..self.def.clone() };
+        def.validate()?;
+        self.def = def;
+        if accuracy == 0.0 {
+            self.islands.islands.iter_mut().for_each(|island| island.pacing = Pacing::default());
+        }
         Ok(())
     }
 

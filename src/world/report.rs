@@ -1,7 +1,7 @@
 //! What can be measured of a world: report, profile, counters, hash.
 
 use super::World;
-use crate::body::SetId;
+use crate::body::{NONE, SetId};
 use crate::constraint::contact::flags;
 use crate::math::{Float, Quat, Vec3, scalar::double};
 use crate::solver::SolveReport;
@@ -19,6 +19,8 @@ pub struct Profile {
     pub update_contacts: f32,
     /// Islands and colours.
     pub build_islands: f32,
+    /// Rehearsals, where an accuracy is to be kept.
+    pub rehearse: f32,
     /// Layout of the constraints.
     pub prepare: f32,
     /// Sub-steps.
@@ -82,8 +84,13 @@ pub struct StepReport {
     pub joint_angle_gap: Float,
     /// Greatest normal approach speed left at a loaded contact point \[m/s\].
     pub residual: Float,
-    /// Sub-steps of the last step.
+    /// Sub-steps of the last step, as it was asked for.
     pub sub_steps: u32,
+    /// The most sub-steps that an island had in the last step: more than that only with an accuracy to keep.
+    pub most_sub_steps: u32,
+    /// The greatest error that rehearsals of awake islands found last: what a step adds to the motion, as a share of the
+    /// way gone in it. 0 without an accuracy.
+    pub error: Float,
     /// Steps so far.
     pub steps: u64,
     /// How the solver fared in the last step.
@@ -134,6 +141,7 @@ impl World {
             + self.coloring.byte_count()
             + self.events.byte_count()
             + self.work.byte_count()
+            + self.rehearsal.byte_count()
             + self.identity.bodies.byte_count()
             + self.identity.shapes.byte_count()
             + self.identity.contacts.byte_count()
@@ -171,6 +179,7 @@ impl World {
         }
         let (worst_penetration, residual) = self.contact_errors();
         let (joint_gap, joint_angle_gap) = self.joint_gap();
+        let (most_sub_steps, error) = self.pace();
         StepReport {
             kinetic_energy: kinetic,
             potential_energy: potential,
@@ -181,6 +190,8 @@ impl World {
             joint_angle_gap,
             residual,
             sub_steps: self.last_sub_steps,
+            most_sub_steps,
+            error,
             steps: self.counts.steps,
             solve: SolveReport { solver: self.def.solver.resolved(), ..self.work.report },
             quarantined: self.counts.quarantined,
@@ -244,6 +255,9 @@ impl World {
             hash.vec(m.l);
             hash.scalar(set.slow_time[row]);
             hash.word(u64::from(body.set.is_sleeping()) | u64::from(body.set == SetId::DISABLED) << 1);
+            if self.def.accuracy > 0.0 && body.island != NONE {
+                hash.word(self.islands.islands[body.island as usize].pacing.level as u64);
+            }
         }
         for index in self.live_contacts() {
             let contact = &self.contacts.contacts[index];

@@ -38,9 +38,19 @@ impl World {
         self.build_islands();
         self.profile.build_islands = clock.lap();
         if dt > 0.0 {
-            self.work.prepare(&self.bodies, &mut self.contacts, &self.joints, &mut self.islands, &settings);
+            self.rehearse(&settings);
+            self.profile.rehearse = clock.lap();
+            self.work.prepare(
+                &self.bodies,
+                &mut self.contacts,
+                &self.joints,
+                &mut self.islands,
+                &settings,
+                None,
+            );
             self.profile.prepare = clock.lap();
             self.work.solve(&self.bodies, &mut self.contacts, &mut self.joints, &settings);
+            self.judge_rehearsals(&settings);
             self.profile.solve = clock.lap();
             self.advance(dt);
             self.profile.advance = clock.lap();

@@ -46,7 +46,10 @@ static void definitions(void)
     bad.workerCount = 64;
     FAILS(mv_errorUnsupported, mvCreateWorld, mvCreateWorld(&bad));
     bad = def;
+    bad.accuracy = (mvFloat)1.01;
+    FAILS(mv_errorRange, mvCreateWorld, mvCreateWorld(&bad));
     bad.accuracy = (mvFloat)0.01;
+    bad.solver = mv_solver_lemke;
     FAILS(mv_errorUnsupported, mvCreateWorld, mvCreateWorld(&bad));
     bad = def;
     bad.solver = 77;
@@ -125,6 +128,12 @@ static void settings(void)
     mvWorld_SetMaximumLinearSpeed(world, 50);
     CHECK(mvWorld_GetMaximumLinearSpeed(world) == 50);
     FAILS(mv_errorRange, mvWorld_SetMaximumLinearSpeed, mvWorld_SetMaximumLinearSpeed(world, (mvFloat)NAN));
+    mvWorld_SetAccuracy(world, (mvFloat)0.5);
+    CHECK(mvWorld_GetAccuracy(world) == (mvFloat)0.5);
+    FAILS(mv_errorRange, mvWorld_SetAccuracy, mvWorld_SetAccuracy(world, 2));
+    FAILS(mv_errorNotFinite, mvWorld_SetAccuracy, mvWorld_SetAccuracy(world, (mvFloat)NAN));
+    CHECK(mvWorld_GetAccuracy(world) == (mvFloat)0.5);
+    WORKS(mvWorld_SetAccuracy(world, 0));
     WORKS(mvWorld_SetWorkerCount(world, 1));
     CHECK(mvWorld_GetWorkerCount(world) == 1);
     FAILS(mv_errorRange, mvWorld_SetWorkerCount, mvWorld_SetWorkerCount(world, 0));
@@ -172,6 +181,8 @@ static void reports(void)
     CHECK(near((mvFloat)report.kineticEnergy, 2 * mvBody_GetMass(b), (mvFloat)1e-2));
     CHECK(near((mvFloat)report.linearMomentum[1], 2 * mvBody_GetMass(b), (mvFloat)1e-2));
     CHECK(near((mvFloat)report.angularMomentum[2], 6 * mvBody_GetMass(b), (mvFloat)1e-1));
+    CHECK(report.mostSubStepCount == 4 && report.error == 0 && mvBody_GetSubStepCount(b) == 4);
+    FAILS(mv_errorNull, mvBody_GetSubStepCount, mvBody_GetSubStepCount(mv_nullBodyId));
     CHECK(report.subStepCount == 4 && report.stepCount == 10 && report.counters.bodyCount == 2);
     CHECK(report.potentialEnergy == 0 && report.worstPenetration == 0 && report.quarantinedCount == 0);
     CHECK(strcmp(mvGetSolverKindName(report.solver), "soft_step") == 0);

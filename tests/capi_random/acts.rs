@@ -32,7 +32,7 @@ pub const ACTS: &[Act] = &[
     }),
     ("tune world", |s| {
         let (w, x) = (s.world(), s.r.num());
-        match s.r.below(9) {
+        match s.r.below(10) {
             0 => mvWorld_SetGravity(w, s.r.vec()),
             1 => mvWorld_EnableSleeping(w, s.r.flag()),
             2 => mvWorld_EnableWarmStarting(w, s.r.flag()),
@@ -41,6 +41,7 @@ pub const ACTS: &[Act] = &[
             5 => mvWorld_SetContactTuning(w, x, s.r.num(), s.r.num()),
             6 => mvWorld_SetMaximumLinearSpeed(w, if s.r.below(3) == 0 { x } else { mvFloat::INFINITY }),
             7 => mvWorld_SetWorkerCount(w, s.r.choice()),
+            8 => mvWorld_SetAccuracy(w, x),
             _ => mvWorld_SetUserData(w, std::ptr::without_provenance_mut(s.r.word() as usize)),
         }
     }),

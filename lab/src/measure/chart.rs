@@ -69,6 +69,7 @@ impl Point<'_> {
         self.case.name == other.case.name
             && self.maker.key == other.maker.key
             && self.method == other.method
+            && self.setting.accuracy.is_some() == other.setting.accuracy.is_some()
             && ladder::work(&self.setting) >= ladder::work(&other.setting)
     }
 }
@@ -156,7 +157,7 @@ fn measure(
         if claims.as_ref().is_some_and(|c| !c.take(unit)) {
             continue;
         }
-        let mut slow: Option<&Point> = None;
+        let mut slow: Vec<&Point> = Vec::new();
         for point in points {
             let mut row = WorkPrecision { resumed: resumed.into(), ..point.row() };
             if log.contains(&row.key()) {
@@ -166,14 +167,14 @@ fn measure(
             if let Some(claims) = &claims {
                 claims.note(unit, &row.key());
             }
-            if slow.is_some_and(|s| point.is_beyond(s)) {
+            if slow.iter().any(|s| point.is_beyond(s)) {
                 row.outcome = Outcome::Timeout;
                 log.push(row)?;
                 continue;
             }
             let further = point.measure(options, &mut row);
             if row.outcome == Outcome::Timeout {
-                slow = Some(point);
+                slow.push(point);
             }
             for (metric, value) in further {
                 more.push(secondary(&row, metric, value))?;

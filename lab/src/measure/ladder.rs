@@ -1,4 +1,4 @@
-//! Which settings a method is run with: rate × sub-steps × iterations.
+//! Which settings a method is run with: rate × sub-steps × iterations, or an accuracy.
 
 use crate::case::Case;
 use crate::engines::{Maker, Method, Setting};
@@ -55,12 +55,20 @@ pub fn rungs(case: &Case, maker: &Maker, method: &Method, is_first: bool, quick:
         }
         all
     };
+    if is_first && maker.key == "merev" {
+        let accuracies: &[f64] = if quick { &[1e-3] } else { &[1e-2, 1e-3, 1e-4, 1e-5] };
+        for (&accuracy, sub_steps) in accuracies.iter().flat_map(|a| [(a, 1), (a, 4)]) {
+            all.push(Setting { accuracy: Some(accuracy), ..Setting::new(60.0, sub_steps) });
+        }
+    }
     all.retain(|s| s.rate <= case.most_rate);
     all.sort_by(|a, b| work(a).total_cmp(&work(b)));
     all.into_iter().map(|s| (s, s == default_setting())).collect()
 }
 
-/// What a setting costs, roughly: sweeps a second.
+/// What a setting costs, roughly: sweeps a second. What an accuracy costs depends on the scene; a second-order method
+/// would take so many.
 pub fn work(s: &Setting) -> f64 {
-    s.rate * f64::from(s.sub_steps) * f64::from(s.iterations.max(1))
+    let sweeps = s.rate * f64::from(s.sub_steps) * f64::from(s.iterations.max(1));
+    s.accuracy.map_or(sweeps, |accuracy| sweeps / accuracy.sqrt())
 }

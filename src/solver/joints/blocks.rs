@@ -146,14 +146,14 @@ fn add_products(block: &mut [f64], seen: &[f64], done: &[f64], inv_mass: f64, d:
         for c in (0..d).step_by(2) {
             let two = |e: usize| [done[e * even(d) + c], done[e * even(d) + c + 1]];
             let [x, y, z, u, v, w] = [two(0), two(1), two(2), two(3), two(4), two(5)];
-            let sum = [0, 1].map(|i| {
+            let product = |i: usize| {
                 let linear = seen[0] * x[i] + seen[1] * y[i] + seen[2] * z[i];
                 let angular = seen[3] * u[i] + seen[4] * v[i] + seen[5] * w[i];
                 linear * inv_mass + angular
-            });
-            row[c] += sum[0];
+            };
+            row[c] += product(0);
             if c + 1 < d {
-                row[c + 1] += sum[1];
+                row[c + 1] += product(1);
             }
         }
     }

@@ -173,7 +173,7 @@ impl Workspace {
                     (body.island != NONE && body.set == SetId::AWAKE).then_some(body.island)
                 })
             });
-            if let Some(island) = island {
+            if let Some(island) = island.filter(|&island| bodies.is_gathered(island)) {
                 self.order.push((bodies.batch_of(island), g as u32));
             }
         }
@@ -659,6 +659,16 @@ impl Workspace {
             joint.total_dt = dt;
         }
         self.balls.store(joints, dt);
+    }
+
+    /// Multiplies the impulses that were stored for the joints of a batch, sums over the step aside.
+    pub fn scale_stored(&self, batch: usize, joints: &mut JointStore, factor: Float) {
+        for component in &self.components[self.batches[batch].clone()] {
+            let group = &self.groups.list[component.group];
+            for &index in group.joints.iter().chain(group.balls.iter().flatten()) {
+                joints.joints[index as usize].impulse.iter_mut().for_each(|impulse| *impulse *= factor);
+            }
+        }
     }
 }
 

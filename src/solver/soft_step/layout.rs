@@ -155,7 +155,8 @@ impl Workspace {
             if !contact.is(flags::CONSTRAINT) {
                 continue;
             }
-            let Some(island) = rows.island_of(contact.body) else { continue };
+            let island = rows.island_of(contact.body).filter(|&island| rows.is_gathered(island));
+            let Some(island) = island else { continue };
             let color = if contact.color == OVERFLOW {
                 self.overflow += 1;
                 0
@@ -197,16 +198,19 @@ impl Workspace {
         const { assert!(KINDS <= 32) };
         self.groups.clear();
         self.groups_of.clear();
-        let h = settings.h();
-        // Between moving bodies, and on immovable ones.
-        let softness_of = [(1.0, settings.push_out_between_moving), (2.0, settings.push_out_on_static)]
-            .map(|(factor, speed)| soft(factor * settings.stiffness / h, settings.damping_ratio, h, speed));
-        let impulse_scale =
-            if settings.last_h > 0.0 { (h / settings.last_h).min(GREATEST_GROWTH) } else { 1.0 };
         self.touched.clear();
         self.touched.resize(rows.rows.row.len(), false);
         let mut at = 0;
         for batch in 0..rows.batches.len() {
+            let settings = &settings.at(rows.batches[batch].level);
+            let h = settings.h();
+            // Between moving bodies, and on immovable ones.
+            let softness_of = [(1.0, settings.push_out_between_moving), (2.0, settings.push_out_on_static)]
+                .map(|(factor, speed)| {
+                    soft(factor * settings.stiffness / h, settings.damping_ratio, h, speed)
+                });
+            let impulse_scale =
+                if settings.last_h > 0.0 { (h / settings.last_h).min(GREATEST_GROWTH) } else { 1.0 };
             let first = self.groups.len();
             rows.open_batch(batch);
             joint_rows.lay_out_batch(batch, rows, bodies, joints, settings);
@@ -254,6 +258,27 @@ impl Workspace {
         debug_assert_eq!(at, self.keys.len());
         for (aux, &touched) in rows.rows.aux.iter_mut().zip(&self.touched) {
             aux.touched |= touched;
+        }
+    }
+
+    /// How many times its own weight a body of an island carried at most when the last step began, by the island's index.
+    pub fn ratio_of(&self, island: u32) -> Float {
+        self.ratio_of[island as usize]
+    }
+
+    /// Multiplies the impulses that were stored for the contacts of a batch, sums over the step aside.
+    pub fn scale_stored(&self, batch: usize, contacts: &mut ContactStore, factor: Float) {
+        let batch_of = |key: &u64| (*key >> 42) as usize;
+        let from = self.keys.partition_point(|key| batch_of(key) < batch);
+        for &key in self.keys[from..].iter().take_while(|key| batch_of(key) == batch) {
+            let contact = &mut contacts.contacts[key as u32 as usize];
+            for p in &mut contact.points[..contact.count as usize] {
+                p.impulse *= factor;
+                p.memory *= factor;
+            }
+            contact.friction_impulse *= factor;
+            contact.twist_impulse *= factor;
+            contact.rolling_impulse *= factor;
         }
     }
 

@@ -1,6 +1,8 @@
 //! Soft step: n sub-steps, each with one soft sweep over the rows and one relax sweep without push-out; where an island
 //! has both joints and contacts, two of each.
 //!
+//! Islands may have different numbers of sub-steps: each batch has its own.
+//!
 //! Bodies of one batch of islands lie next to each other and go through all sub-steps before the next batch
 //! begins, so small islands stay in the cache. From the second sub-step on warm starting is a pass over bodies:
 //! arms are fixed within a step, so last sub-step's impulses change velocities by just what they changed then.
@@ -17,6 +19,7 @@ use super::bodies::Bodies;
 use super::{Settings, SubStep, joints};
 use crate::body::BodyStore;
 use crate::constraint::{ContactStore, JointStore};
+use crate::math::Float;
 
 /// Takes every batch through its sub-steps: velocities and moves are left in `rows`, impulses in the contacts.
 pub fn solve(
@@ -28,18 +31,43 @@ pub fn solve(
     joints: &mut JointStore,
     settings: &Settings,
 ) {
-    let sub = settings.sub_step();
-    for batch in 0..rows.batches.len() {
-        for k in 0..settings.sub_steps {
-            sub_step(work, rows, joint_rows, bodies, joints, batch, k == 0, &sub, settings);
-        }
-    }
+    run(work, rows, joint_rows, bodies, joints, settings);
     joint_rows.store(joints, settings.dt);
     for width in &mut work.kinds.by_width {
         for kind in width {
             kind.store(&mut contacts.contacts);
         }
     }
+    for (batch, level) in rows.batches.iter().map(|b| b.level).enumerate().filter(|(_, level)| *level != 0) {
+        let factor = sub_step_ratio(level);
+        work.scale_stored(batch, contacts, factor);
+        joint_rows.scale_stored(batch, joints, factor);
+    }
+}
+
+/// The same without writing impulses to contacts and joints.
+pub fn run(
+    work: &mut Workspace,
+    rows: &mut Bodies,
+    joint_rows: &mut joints::Workspace,
+    bodies: &BodyStore,
+    joints: &JointStore,
+    settings: &Settings,
+) {
+    for batch in 0..rows.batches.len() {
+        let settings = settings.at(rows.batches[batch].level);
+        let sub = settings.sub_step();
+        for k in 0..settings.sub_steps {
+            sub_step(work, rows, joint_rows, bodies, joints, batch, k == 0, &sub, &settings);
+        }
+    }
+}
+
+/// Impulses that outlive a step are those of a sub-step of the world's own number, so that islands of different levels
+/// can become one. How many of an island's sub-steps make one of those: a power of two, so that nothing is rounded.
+fn sub_step_ratio(level: i32) -> Float {
+    let power = (1u32 << level.unsigned_abs()) as Float;
+    if level < 0 { 1.0 / power } else { power }
 }
 
 /// One sub-step of one batch.

@@ -35,6 +35,14 @@ impl<'w> BodyRef<'w> {
     pub fn user_data(&self) -> u64 {
         self.body().user_data
     }
+    /// The sub-steps that the next step takes for it: those of the last one, or more where the world has an accuracy to
+    /// keep; 0 before the first step.
+    #[must_use]
+    pub fn sub_steps(&self) -> u32 {
+        let islands = &self.world.islands.islands;
+        let level = islands.get(self.body().island as usize).map_or(0, |island| island.pacing.level);
+        self.world.last_sub_steps << level
+    }
     /// Where its origin is.
     #[must_use]
     pub fn transform(&self) -> Pose {

@@ -549,6 +549,8 @@ class Profile:
     """Contact points."""
     islands: float
     """Islands."""
+    rehearse: float
+    """Rehearsals, where an accuracy is to be kept."""
     prepare: float
     """Laying out the constraints."""
     solve: float
@@ -568,6 +570,7 @@ class Profile:
             pairs=c.pairs,
             collide=c.collide,
             islands=c.islands,
+            rehearse=c.rehearse,
             prepare=c.prepare,
             solve=c.solve,
             transforms=c.transforms,
@@ -638,7 +641,14 @@ class StepReport:
     residual: float
     """The greatest approach speed left at a loaded contact point [m/s]."""
     sub_step_count: int
-    """The sub-steps of the last step."""
+    """The sub-steps of the last step, as it was asked for."""
+    most_sub_step_count: int
+    """The most sub-steps that an island had in the last step: more than that only with an accuracy to keep.
+    """
+    error: float
+    """The greatest error that rehearsals of awake islands found last: what a step adds to the motion, as a share
+    of the way gone in it. 0 without an accuracy.
+    """
     solver: SolverKind
     """The solver of the last step: one of the mv_solver... constants."""
     solver_residual: float
@@ -675,6 +685,8 @@ class StepReport:
             joint_angle_gap=c.jointAngleGap,
             residual=c.residual,
             sub_step_count=c.subStepCount,
+            most_sub_step_count=c.mostSubStepCount,
+            error=c.error,
             solver=SolverKind(c.solver),
             solver_residual=c.solverResidual,
             solve_count=c.solveCount,
@@ -771,6 +783,15 @@ class WorldFunctions:
         _call(_lib.mvWorld_SetMaximumLinearSpeed, self._id, float(value))
 
     @property
+    def accuracy(self) -> float:
+        """The accuracy to keep."""
+        return _call(_lib.mvWorld_GetAccuracy, self._id)
+
+    @accuracy.setter
+    def accuracy(self, value: float) -> None:
+        _call(_lib.mvWorld_SetAccuracy, self._id, float(value))
+
+    @property
     def awake_body_count(self) -> int:
         """The number of bodies that the next step moves."""
         return _call(_lib.mvWorld_GetAwakeBodyCount, self._id)
@@ -847,6 +868,13 @@ class BodyFunctions:
     @sleep_threshold.setter
     def sleep_threshold(self, value: float) -> None:
         _call(_lib.mvBody_SetSleepThreshold, self._id, float(value))
+
+    @property
+    def sub_step_count(self) -> int:
+        """The sub-steps that the next step takes for a body: those of the last step, or more where the world has
+        an accuracy to keep, see mvWorldDef.accuracy.
+        """
+        return _call(_lib.mvBody_GetSubStepCount, self._id)
 
     @property
     def is_enabled(self) -> bool:
