@@ -177,6 +177,9 @@ record! {
     }
 }
 
+/// In the name of a method, before the accuracy that it was asked to keep.
+pub const WITH_ACCURACY: &str = "/accuracy ";
+
 record! {
     /// An engine's time for a scene of the race, and how good the result is.
     Race, "race.csv", key [scene, engine],

@@ -115,7 +115,7 @@ impl Pacing {
         let gain = if apart[1] > 0.0 { apart[0] / apart[1] } else { Float::INFINITY };
         let converges = gain >= LEAST_GAIN;
         // Second order is the best that there is; more is chance.
-        let gain = gain.max(LEAST_GAIN).min(4.0);
+        let gain = if converges { gain.min(4.0) } else { LEAST_GAIN };
         self.error = apart[1] / (gain - 1.0);
         for _ in self.level..finest {
             self.error *= gain;

@@ -199,3 +199,58 @@ pub(super) fn edge_gap(
     let n = if n.dot(&(on_a - center)) < 0.0 { -n } else { n };
     Some((n, n.dot(&(on_b - on_a))))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::vec3;
+    use crate::shape::testing::Random;
+    use crate::shape::{Cuboid, Hull};
+
+    /// Passing over what is not worth looking at finds the same axes as looking at all of them.
+    fn check<P: Polytope, Q: Polytope>(random: &mut Random, p: &P, q: &Q) {
+        let pose = random.pose(1.2);
+        let frame = Frame::new(&pose);
+        let back = frame.inverse();
+        let margin = random.within(0.0, 0.1);
+        let all: Vec<Float> = (0..p.face_count()).map(|i| face_gap(p, q, &frame, i)).collect();
+        let known = all[random.below(all.len())];
+        let (gap, face) = best_face(p, q, &frame, Float::MAX, known);
+        let best = all.iter().copied().fold(-Float::MAX, Float::max);
+        assert_eq!((gap, all[face]), (best, best), "the best face at {pose:?}");
+        let every = best_edges(p, q, &frame, &back, margin, -Float::MAX);
+        for _ in 0..8 {
+            let worth = random.within(-0.6, margin).min(margin);
+            let some = best_edges(p, q, &frame, &back, margin, worth);
+            match (&every, &some) {
+                (Some(every), some) if every.gap > worth => {
+                    let some = some.as_ref().expect("an axis was passed over");
+                    assert_eq!((every.a, every.b, every.gap), (some.a, some.b, some.gap), "at {pose:?}");
+                }
+                (_, Some(some)) => assert!(some.gap <= worth),
+                (_, None) => {}
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_passed_over_is_never_the_best_axis() {
+        let mut random = Random(41);
+        for k in 0..3000 {
+            // From cubes to plates and needles.
+            let thin = [1.0, 0.3, 0.05, 0.004][k % 4];
+            let half = vec3(random.within(0.3, 1.0), random.within(0.3, 1.0), thin);
+            let cuboid = Cuboid::new(half).unwrap();
+            let (n, m) = (6 + random.below(12), 6 + random.below(12));
+            let (Ok(a), Ok(b)) =
+                (Hull::new(&random.cloud(n, half)), Hull::new(&random.cloud(m, vec3(1.0, 0.7, 0.5))))
+            else {
+                continue;
+            };
+            check(&mut random, &a, &b);
+            check(&mut random, &cuboid, &b);
+            check(&mut random, &b, &cuboid);
+            check(&mut random, &cuboid, &Cuboid::new(vec3(0.5, 0.8, 0.3)).unwrap());
+        }
+    }
+}

@@ -6,7 +6,7 @@ use crate::case::Track;
 use crate::engines::{Maker, Method, Setting};
 use crate::metrics::kinetic;
 use crate::progress;
-use crate::records::{Log, Outcome, Record, Stability};
+use crate::records::{Log, Outcome, Record, Stability, WITH_ACCURACY};
 use crate::scene::{Body, Form, Scene};
 use crate::scenes::{group_c, group_d, group_e, group_f_j};
 use crate::table::Table;
@@ -184,17 +184,14 @@ fn spinning(w: f64) -> Scene {
 }
 
 /// The hardest value that passed, the mildest that failed, and how.
-fn search(
-    s: &Stressor,
-    maker: &Maker,
-    method: &Method,
-    options: &Options,
-) -> (Option<f64>, Option<f64>, Outcome) {
+fn search(search: &Search, options: &Options) -> (Option<f64>, Option<f64>, Outcome) {
+    let Search { stressor: s, maker, method, accuracy } = search;
     let mut how = Outcome::Ok;
     let mut passes = |value: f64| {
         let scene = (s.build)(value);
         let budget = 2 * options.budget();
-        let ended = run_scene(maker, &scene, method, &(s.setting)(value), s.duration, false, budget);
+        let setting = Setting { accuracy: *accuracy, ..(s.setting)(value) };
+        let ended = run_scene(maker, &scene, method, &setting, s.duration, false, budget);
         let ok = match &ended {
             Ok(run) => (s.survives)(value, &scene, &run.track),
             Err(_) => false,
@@ -236,6 +233,8 @@ struct Search {
     stressor: Rc<Stressor>,
     maker: Maker,
     method: Method,
+    /// The sub-steps of the setting are then the least.
+    accuracy: Option<f64>,
 }
 
 impl Search {
@@ -243,7 +242,8 @@ impl Search {
         Stability {
             scene: self.stressor.scene.into(),
             engine: self.maker.key.into(),
-            method: self.method.name(),
+            method: self.method.name()
+                + &self.accuracy.map_or(String::new(), |a| format!("{WITH_ACCURACY}{a}")),
             stressor: self.stressor.name.into(),
             unit: self.stressor.unit.into(),
             harder: "larger".into(),
@@ -262,7 +262,15 @@ fn searches(options: &Options) -> Vec<Search> {
         for maker in options.makers().into_iter().filter(|m| m.key != "merev_c") {
             let methods = (maker.methods)();
             for &method in methods.iter().filter(|m| (stressor.tells)(m, &methods[0])) {
-                all.push(Search { stressor: stressor.clone(), maker, method });
+                all.push(Search { stressor: stressor.clone(), maker, method, accuracy: None });
+            }
+            if maker.key == "merev" {
+                all.push(Search {
+                    stressor: stressor.clone(),
+                    maker,
+                    method: methods[0],
+                    accuracy: Some(0.01),
+                });
             }
         }
     }
@@ -316,7 +324,7 @@ fn measure(options: &Options, searches: &[Search], bar: &ProgressBar) -> Result<
         if let Some(claims) = &claims {
             claims.note(unit, &row.key());
         }
-        (row.survived, row.failed, row.outcome) = search(&s.stressor, &s.maker, &s.method, options);
+        (row.survived, row.failed, row.outcome) = search(s, options);
         log.push(row)?;
     }
     Ok(String::new())

@@ -7,7 +7,7 @@ use super::data::Data;
 use super::settings::distinct;
 use super::stability_map::cell_text;
 use super::{SCALE, overview, palette, png, race_chart, verdict};
-use crate::records::{Race, Stability};
+use crate::records::{Race, Stability, WITH_ACCURACY};
 use std::fs;
 use std::path::Path;
 
@@ -104,8 +104,21 @@ fn race(data: &Data) -> String {
 /// A row a stressor: the most that each engine bears, with the best of its methods.
 fn stability(data: &Data) -> String {
     let engines = sorted(distinct(data.stability.iter().map(|r| r.engine.as_str())));
+    // What was asked to keep an accuracy stands apart.
+    let accuracy = |r: &Stability| r.method.split_once(WITH_ACCURACY).map(|(_, value)| value.to_owned());
+    let mut columns: Vec<(String, Option<String>)> = Vec::new();
+    for engine in &engines {
+        columns.push((engine.clone(), None));
+        let mine = data.stability.iter().filter(|r| r.engine == *engine);
+        let values =
+            sorted(distinct(mine.filter_map(accuracy).collect::<Vec<_>>().iter().map(String::as_str)));
+        columns.extend(values.into_iter().map(|value| (engine.clone(), Some(value))));
+    }
     let mut rows = vec![vec!["scene".to_owned(), "stressor".to_owned()]];
-    rows[0].extend(engines.iter().map(|e| palette::title(e)));
+    rows[0].extend(columns.iter().map(|(engine, value)| match value {
+        None => palette::title(engine),
+        Some(value) => format!("{}, accuracy {value}", palette::title(engine)),
+    }));
     let mut known = Vec::new();
     for r in &data.stability {
         let key = (r.scene.as_str(), r.stressor.as_str());
@@ -119,15 +132,15 @@ fn stability(data: &Data) -> String {
             let value = o.survived.filter(|v| v.is_finite() && *v > 0.0).unwrap_or(0.0);
             if o.harder == "smaller" && value > 0.0 { 1.0 / value } else { value }
         };
-        let best = |engine: &str| {
-            let mine = own.iter().filter(|o| o.engine == engine);
+        let best = |(engine, value): &(String, Option<String>)| {
+            let mine = own.iter().filter(|o| o.engine == *engine && accuracy(o) == *value);
             mine.max_by(|a, b| strength(a).total_cmp(&strength(b)))
         };
         let most = own.iter().map(|o| strength(o)).fold(0.0, f64::max);
         let unit = if matches!(r.unit.as_str(), "" | "1") { String::new() } else { format!(" [{}]", r.unit) };
         let mut row = vec![r.scene.clone(), format!("{}{unit}", r.stressor)];
-        row.extend(engines.iter().map(|e| {
-            best(e).map_or(String::new(), |o| bold(cell_text(o), strength(o) == most && most > 0.0))
+        row.extend(columns.iter().map(|column| {
+            best(column).map_or(String::new(), |o| bold(cell_text(o), strength(o) == most && most > 0.0))
         }));
         rows.push(row);
     }
