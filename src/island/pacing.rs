@@ -235,7 +235,7 @@ mod tests {
 
     /// A motion whose error falls by four with each doubling, from `first` at level 0.
     fn smooth(pacing: &mut Pacing, first: Float, allowed: Float, sub_steps: u32) {
-        let error = |level: i32| first * (0.25 as Float).powi(level);
+        let error = |level: i32| first * 16.0 / (1u64 << (2 * (level + 2))) as Float;
         let [a, b, c] = pacing.levels(sub_steps);
         pacing.choose([error(a) - error(b), error(b) - error(c)], allowed, sub_steps);
     }
