@@ -138,9 +138,7 @@ fn hard_rows(index: u32, store: &BodyStore, joints: &JointStore) -> usize {
     if is_gear(&joint.kind) {
         return 1;
     }
-    let mut count = 0;
-    joint
-        .kind
-        .emit(&joint.geometry(store), &mut |row: JointRow| count += usize::from(row.law.is_unbounded()));
-    count
+    let mut rows: Vec<JointRow> = Vec::new();
+    joint.kind.emit(&joint.geometry(store), &mut |row| rows.push(row));
+    rows.iter().filter(|row| row.law.is_unbounded()).count()
 }
