@@ -242,8 +242,10 @@ impl Search {
         Stability {
             scene: self.stressor.scene.into(),
             engine: self.maker.key.into(),
-            method: self.method.name()
-                + &self.accuracy.map_or(String::new(), |a| format!("{WITH_ACCURACY}{a}")),
+            method: self.accuracy.map_or_else(
+                || self.method.name(),
+                |accuracy| format!("{}{WITH_ACCURACY}{accuracy}", self.method.solver),
+            ),
             stressor: self.stressor.name.into(),
             unit: self.stressor.unit.into(),
             harder: "larger".into(),
