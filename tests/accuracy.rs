@@ -217,6 +217,26 @@ fn the_choice_of_sub_steps_is_part_of_the_state() {
     assert_ne!(other.state_hash(), hashes[149]);
 }
 
+/// A ball whose hinge is taken away flies on with the least sub-steps, and so does everything where nothing moves.
+#[test]
+fn what_comes_free_needs_no_more() {
+    let mut w = world(1e-6);
+    let post = w.create_body(&BodyDef::fixed(vec3(0.0, 30.0, 0.0))).unwrap();
+    let ball = BodyDef::dynamic(vec3(1.0, 30.0, 0.0));
+    let ball = w.create_body_with_shape(&ball, &ShapeDef::default(), Shape::new_sphere(0.2)).unwrap().0;
+    let kind = JointKind::Spherical(SphericalJoint::default());
+    let frames = [Pose::IDENTITY, Pose::translation(vec3(-1.0, 0.0, 0.0))];
+    let joint = w.create_joint(&JointDef::new(kind, post, ball).frames(frames[0], frames[1])).unwrap();
+    run(&mut w, 40, 2);
+    assert!(w.body(ball).unwrap().sub_steps() > 2);
+    // Whoever asks for many gets no more than a thousand.
+    run(&mut w, 1, 400);
+    assert!(w.step_report().most_sub_steps <= 1000);
+    w.destroy_joint(joint, true).unwrap();
+    run(&mut w, 1, 2);
+    assert_eq!(w.body(ball).unwrap().sub_steps(), 2);
+}
+
 #[test]
 fn an_accuracy_that_makes_no_sense_is_refused() {
     let code = |def: WorldDef| World::try_new(&def).map(|_| ()).unwrap_err().code();

@@ -13,7 +13,7 @@ use crate::math::{Float, Quat, Vec3, length, scalar};
 /// An island's number of sub-steps is the world's times two to the power of its level, at most this.
 pub const GREATEST_LEVEL: i32 = 5;
 
-/// No island is rehearsed with more sub-steps than this.
+/// No island gets, or is rehearsed with, more sub-steps than this.
 const MOST_SUB_STEPS: u32 = 1000;
 
 /// The shortest and the longest time between rehearsals, in steps.
@@ -63,9 +63,11 @@ pub struct Pacing {
 }
 
 impl Pacing {
-    /// Whether this step is to be rehearsed.
-    pub fn is_due(&self) -> bool {
-        self.wait == 0
+    /// Before a step with this number of sub-steps: says whether it is to be rehearsed.
+    pub fn begin_step(&mut self, sub_steps: u32) -> bool {
+        self.level = self.level.min(most_level(sub_steps));
+        let [_, _, finest] = self.levels(sub_steps);
+        self.wait == 0 && finest <= most_level(sub_steps)
     }
 
     /// A step that is not rehearsed has been taken.
@@ -120,7 +122,7 @@ impl Pacing {
         for _ in self.level..finest {
             self.error *= gain;
         }
-        let most = GREATEST_LEVEL.min((MOST_SUB_STEPS / sub_steps).max(1).ilog2() as i32);
+        let most = most_level(sub_steps);
         self.wait = if self.rise > 0 && self.error > self.hope {
             self.give_up()
         } else if self.error > allowed && converges && self.level < most {
@@ -168,6 +170,11 @@ impl Pacing {
         }
         self.last_wait
     }
+}
+
+/// The highest level that stays within the most sub-steps.
+fn most_level(sub_steps: u32) -> i32 {
+    GREATEST_LEVEL.min((MOST_SUB_STEPS / sub_steps).max(1).ilog2() as i32)
 }
 
 /// An island as something that stands.
@@ -265,7 +272,7 @@ mod tests {
             pacing.choose([0.5, 0.4], 1e-3, 4);
         }
         assert_eq!(pacing.level, 1);
-        assert!(!pacing.is_due());
+        assert!(!pacing.begin_step(4));
         pacing.low = 0;
         for _ in 0..LOW_COUNT {
             pacing.choose([0.0, 0.0], 1e-3, 4);
@@ -302,6 +309,10 @@ mod tests {
             smooth(&mut pacing, 1.0, 1e-9, 100);
         }
         assert_eq!(pacing.level, 3);
+        // A step with another number of sub-steps keeps within it, too, and is not rehearsed beyond it.
+        assert!(!Pacing::default().begin_step(999) && Pacing::default().begin_step(1000));
+        pacing.begin_step(400);
+        assert_eq!(pacing.level, 1);
     }
 
     #[test]

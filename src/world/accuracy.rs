@@ -1,8 +1,8 @@
 //! Sub-steps by the accuracy that a world has to keep, see [`crate::island::pacing`].
 
 use super::World;
-use crate::body::{NONE, SetId};
-use crate::island::pacing::{Column, Moved};
+use crate::body::SetId;
+use crate::island::pacing::{Column, Moved, Pacing};
 use crate::math::{Float, length, scalar::PI};
 use crate::solver::bodies::Bodies;
 use crate::solver::{Settings, Work};
@@ -31,7 +31,7 @@ impl Rehearsal {
 impl World {
     /// Tries the coming step with other numbers of sub-steps on the islands whose turn it is.
     pub(super) fn rehearse(&mut self, settings: &Settings) {
-        if self.def.accuracy == 0.0 || !self.choose_rehearsed() {
+        if self.def.accuracy == 0.0 || !self.choose_rehearsed(settings.sub_steps) {
             return;
         }
         let Rehearsal { work, moved } = &mut self.rehearsal;
@@ -54,7 +54,7 @@ impl World {
     }
 
     /// Which awake islands are to be rehearsed: those whose turn it is, but for free bodies that have an exact way.
-    fn choose_rehearsed(&mut self) -> bool {
+    fn choose_rehearsed(&mut self, sub_steps: u32) -> bool {
         let mut any = false;
         for island in &mut self.islands.islands {
             let Some(&first) = island.bodies.first() else { continue };
@@ -65,9 +65,13 @@ impl World {
             }
             let is_free = island.bodies.len() == 1 && body.joints.is_empty() && body.contacts.is_empty();
             if is_free && self.bodies.awake().mass[body.row as usize].isotropic {
+                // It may come from an island that needed more.
+                if island.pacing.level > 0 {
+                    island.pacing = Pacing::default();
+                }
                 continue;
             }
-            island.pacing.rehearsed = island.pacing.is_due();
+            island.pacing.rehearsed = island.pacing.begin_step(sub_steps);
             any |= island.pacing.rehearsed;
         }
         any
@@ -120,10 +124,9 @@ impl World {
                 size,
             });
             island.pacing.stand(column, gravity, stiffness);
-            if way > 0.0 {
-                // Root mean squares of all its bodies.
-                island.pacing.choose(apart.map(|a| (a / way).sqrt()), allowed, settings.sub_steps);
-            }
+            // Root mean squares of all its bodies; where nothing moves, there is no error.
+            let apart = apart.map(|a| if way > 0.0 { (a / way).sqrt() } else { 0.0 });
+            island.pacing.choose(apart, allowed, settings.sub_steps);
         }
     }
 
@@ -132,13 +135,12 @@ impl World {
     pub(super) fn pace(&self) -> (u32, Float) {
         let mut pace = (self.last_sub_steps, 0.0);
         if self.def.accuracy > 0.0 {
-            let settings = |level: i32| self.last_sub_steps << level;
             for batch in &self.work.bodies.batches {
-                pace.0 = pace.0.max(settings(batch.level));
+                pace.0 = pace.0.max(self.last_sub_steps << batch.level);
             }
             for island in self.islands.islands.iter().filter(|island| !island.bodies.is_empty()) {
                 let body = &self.bodies.bodies[island.bodies[0] as usize];
-                if body.island != NONE && body.set == SetId::AWAKE {
+                if body.set == SetId::AWAKE {
                     pace.1 = island.pacing.error.max(pace.1);
                 }
             }
